@@ -1,0 +1,2 @@
+//! The pavo command.
+fn main() {}
