@@ -1,4 +1,21 @@
 //! Prints a shader graph as WGSL and GLSL.
+//!
+//! One printer serves all languages; what differs between them stands in a table ([`dialect`]). The text is what a
+//! careful person would write: the names of the Rust source, a comment per function with meaning, units and source,
+//! and nothing that the program does not need. The same program gives the same bytes.
+
+pub mod dialect;
+mod entry;
+mod expression;
+mod function;
+mod literal;
+mod namer;
+mod text;
+
+pub use dialect::Dialect;
+pub use entry::{Sphere, SphereInput, full_screen_triangle};
+use pavo_shade::Program;
+use thiserror::Error;
 
 /// A text language that the printer writes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
@@ -13,6 +30,16 @@ pub enum Language {
     Essl300,
 }
 
+impl Language {
+    /// All languages.
+    pub const ALL: [Language; 4] = [Language::Wgsl, Language::Glsl450, Language::Glsl330, Language::Essl300];
+
+    /// The name as it is written on the command line and in scenes.
+    pub fn name(self) -> &'static str {
+        Dialect::of(self).name
+    }
+}
+
 /// What stands around the functions.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub enum Form {
@@ -22,4 +49,73 @@ pub enum Form {
     Compute,
     /// A fragment entry that shades a sphere.
     Fragment,
+}
+
+impl Form {
+    /// The name as it is written on the command line.
+    pub fn name(self) -> &'static str {
+        match self {
+            Form::Library => "library",
+            Form::Compute => "compute",
+            Form::Fragment => "fragment",
+        }
+    }
+}
+
+/// How many points a workgroup of the compute entry evaluates.
+pub const WORKGROUP_SIZE: u32 = 64;
+
+/// What a text is printed with.
+#[derive(Clone, Debug)]
+pub struct Options {
+    /// The language.
+    pub language: Language,
+    /// Lines of the comment at the top.
+    pub header: Vec<String>,
+    /// What the names of functions and structs begin with; empty for nothing.
+    pub prefix: String,
+    /// Whether each statement names the line of Rust that made it.
+    pub source_lines: bool,
+}
+
+/// Why a text cannot be printed.
+#[derive(Debug, Error)]
+pub enum EmitError {
+    /// The language has no such entry point.
+    #[error("{language} has no compute shaders; use --form library or --form fragment, or --target wgsl or glsl450")]
+    NoCompute {
+        /// The name of the language.
+        language: &'static str,
+    },
+    /// A template of an entry point is broken.
+    #[error("the template of the {form} entry cannot be rendered: {message}")]
+    Template {
+        /// The form.
+        form: &'static str,
+        /// What is wrong with it.
+        message: String,
+    },
+}
+
+/// The functions of a program, with no entry point.
+pub fn emit_library(program: &Program, options: &Options) -> String {
+    text::library(program, options)
+}
+
+/// The functions of a program with a compute entry that evaluates a buffer of points.
+///
+/// Binding 0 holds the inputs, binding 1 takes three numbers a point for each output.
+///
+/// # Errors
+/// If the language has no compute shaders.
+pub fn emit_compute(program: &Program, options: &Options) -> Result<String, EmitError> {
+    entry::compute(program, options)
+}
+
+/// The functions of a program with a fragment entry that shades a sphere.
+///
+/// # Errors
+/// If the template of the entry is broken.
+pub fn emit_fragment(program: &Program, options: &Options, sphere: &Sphere) -> Result<String, EmitError> {
+    entry::fragment(program, options, sphere)
 }

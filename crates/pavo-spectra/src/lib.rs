@@ -1,1 +1,34 @@
-//! Under construction.
+//! Observers, illuminants, colour spaces, optical constants and the exact spectral reference.
+//!
+//! - [`observer`]: CIE colour matching functions.
+//! - [`illuminant`]: spectral power of the light, standard or the user's own.
+//! - [`colour_space`]: XYZ to RGB matrices, and the sRGB transfer function.
+//! - [`sensitivity`]: the three joined to one spectral sensitivity per output channel, white being (1, 1, 1).
+//! - [`optical_constants`]: refractive indices over the wavelength.
+//! - [`mod@reference`]: a film's exact reflectance, by the complex Airy formula over the fine wavelength grid.
+//!
+//! Wavelengths and thicknesses are in nanometres unless a name says otherwise; angles appear only as cosines; a
+//! complex refractive index is n + ik with k >= 0.
+//!
+//! Nothing here touches the outside world: data files are compiled in, and a user's tables come as text.
+
+pub mod colour_space;
+pub mod illuminant;
+pub mod names;
+pub mod observer;
+pub mod optical_constants;
+pub mod reference;
+pub mod sensitivity;
+pub mod table;
+pub mod wavelength;
+
+mod dispersion;
+mod interpolation;
+mod matrix3;
+
+pub use colour_space::ColourSpace;
+pub use illuminant::Illuminant;
+pub use observer::Observer;
+pub use optical_constants::OpticalConstants;
+pub use reference::{Point, PreparedStack, Reference, Stack};
+pub use sensitivity::Sensitivities;

@@ -1,0 +1,137 @@
+//! What a judge says.
+
+use std::fmt;
+
+use pavo_emit::Form;
+use serde::{Serialize, Serializer};
+
+use crate::CheckError;
+
+/// A program that reads shaders and refuses what is not correct.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub enum Judge {
+    /// naga, the shader translator of wgpu and Firefox: reads WGSL and GLSL 4.40 to 4.60.
+    Naga,
+    /// glslang, the reference front end of Khronos for GLSL.
+    Glslang,
+    /// spirv-val, the validator of SPIRV-Tools.
+    SpirvVal,
+}
+
+impl Judge {
+    /// The judge's own name, as its project writes it.
+    pub fn name(self) -> &'static str {
+        match self {
+            Judge::Naga => "naga",
+            Judge::Glslang => "glslang",
+            Judge::SpirvVal => "spirv-val",
+        }
+    }
+}
+
+impl fmt::Display for Judge {
+    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        formatter.write_str(self.name())
+    }
+}
+
+impl Serialize for Judge {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        serializer.serialize_str(self.name())
+    }
+}
+
+/// One thing that a judge says about one place.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+pub struct Diagnostic {
+    /// The name of the input, as the caller gave it.
+    pub file: String,
+    /// The line in the caller's own text, counted from 1. For SPIR-V the number of the instruction, counted from 1,
+    /// which is its line in a disassembly without header. `None` where the judge gives no line.
+    pub line: Option<u32>,
+    /// The column in that line, counted from 1 in bytes. `None` where the judge gives no column.
+    pub column: Option<u32>,
+    /// What is wrong there.
+    pub message: String,
+    /// Who says so.
+    pub judge: Judge,
+}
+
+impl fmt::Display for Diagnostic {
+    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        formatter.write_str(&self.file)?;
+        if let Some(line) = self.line {
+            write!(formatter, ":{line}")?;
+            if let Some(column) = self.column {
+                write!(formatter, ":{column}")?;
+            }
+        }
+        write!(formatter, ": [{}] {}", self.judge, self.message)
+    }
+}
+
+/// The answer of one judge about one input.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+pub struct Verdict {
+    /// Who judged.
+    pub judge: Judge,
+    /// The judge's version, as it prints it; empty where it prints none.
+    pub version: String,
+    /// Whether the input is correct.
+    pub passed: bool,
+    /// What the judge had to say: the errors of a refusal, the warnings of a pass.
+    pub diagnostics: Vec<Diagnostic>,
+}
+
+impl Verdict {
+    /// A refusal with one diagnostic.
+    pub(super) fn refusal(judge: Judge, version: &str, file: &str, line: Option<u32>, message: String) -> Verdict {
+        let diagnostic = Diagnostic { file: file.to_owned(), line, column: None, message, judge };
+        Verdict { judge, version: version.to_owned(), passed: false, diagnostics: vec![diagnostic] }
+    }
+}
+
+/// The verdicts when all of them pass, otherwise the refusal that carries them.
+pub(super) fn all_passed(verdicts: Vec<Verdict>) -> Result<Vec<Verdict>, CheckError> {
+    if verdicts.iter().all(|verdict| verdict.passed) { Ok(verdicts) } else { Err(CheckError::Refused { verdicts }) }
+}
+
+/// A stage of the graphics pipeline, or the compute stage.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub enum Stage {
+    /// Places vertices.
+    Vertex,
+    /// Shades fragments.
+    Fragment,
+    /// Runs over a grid of invocations.
+    Compute,
+}
+
+impl Stage {
+    /// The stage's name as WGSL and Vulkan write it.
+    pub fn name(self) -> &'static str {
+        match self {
+            Stage::Vertex => "vertex",
+            Stage::Fragment => "fragment",
+            Stage::Compute => "compute",
+        }
+    }
+
+    /// The stage of a complete form; `None` for a library, which belongs to no stage.
+    pub fn of_form(form: Form) -> Option<Stage> {
+        match form {
+            Form::Compute => Some(Stage::Compute),
+            Form::Fragment => Some(Stage::Fragment),
+            Form::Library => None,
+        }
+    }
+
+    /// The stage as naga names it.
+    pub(super) fn for_naga(self) -> ::naga::ShaderStage {
+        match self {
+            Stage::Vertex => ::naga::ShaderStage::Vertex,
+            Stage::Fragment => ::naga::ShaderStage::Fragment,
+            Stage::Compute => ::naga::ShaderStage::Compute,
+        }
+    }
+}

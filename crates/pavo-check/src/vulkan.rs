@@ -1,0 +1,22 @@
+//! Runs SPIR-V on a Vulkan device: lavapipe by default, so that results do not depend on a graphics card.
+//!
+//! Nothing is linked: the drivers are opened at run time. Modules should have passed
+//! [`judge_spirv`](crate::judge_spirv) before they run; a driver may do anything with one that is not valid. What a
+//! module declares (entry points, workgroup size, resources) is compared with what this crate provides before it
+//! reaches the driver.
+
+mod buffer;
+mod compute;
+mod device;
+mod driver;
+mod manifest;
+mod module_interface;
+mod owned;
+mod render;
+
+pub use compute::ComputeShader;
+pub use device::{Device, DeviceDescription};
+pub use render::RenderShaders;
+
+pub(crate) use driver::Driver;
+pub(crate) use manifest::lavapipe_manifests;

@@ -1,0 +1,146 @@
+//! The table of what differs between the languages.
+
+use crate::Language;
+use pavo_shade::{Type, UnaryOp};
+
+/// How declarations are written.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Syntax {
+    /// `let x = ..`, `fn f(x: f32) -> f32`, `struct S { x: f32, }`.
+    Wgsl,
+    /// `float x = ..`, `float f(float x)`, `struct S { float x; };`.
+    C,
+}
+
+/// A row of the table.
+#[derive(Debug)]
+pub struct Dialect {
+    /// Its name on the command line and in scenes.
+    pub name: &'static str,
+    /// The ending of a file's name.
+    pub extension: &'static str,
+    /// How declarations are written.
+    pub syntax: Syntax,
+    /// The first line of a complete text.
+    pub version: &'static str,
+    /// What a library needs at its top.
+    pub preamble: &'static str,
+    /// Names of the types: number, vector, truth value, vector of truth values.
+    pub types: [&'static str; 4],
+    /// The name of `1 / sqrt(x)`.
+    pub inverse_sqrt: &'static str,
+    /// Whether there are compute shaders.
+    pub has_compute: bool,
+}
+
+const ESSL_PREAMBLE: &str = "\
+// Interference needs all 32 bits: at mediump the phase is lost.
+precision highp float;
+";
+
+static DIALECTS: [(Language, Dialect); 4] = [
+    (
+        Language::Wgsl,
+        Dialect {
+            name: "wgsl",
+            extension: "wgsl",
+            syntax: Syntax::Wgsl,
+            version: "",
+            preamble: "",
+            types: ["f32", "vec3f", "bool", "vec3<bool>"],
+            inverse_sqrt: "inverseSqrt",
+            has_compute: true,
+        },
+    ),
+    (
+        Language::Glsl450,
+        Dialect {
+            name: "glsl450",
+            extension: "450.glsl",
+            syntax: Syntax::C,
+            version: "#version 450",
+            preamble: "",
+            types: ["float", "vec3", "bool", "bvec3"],
+            inverse_sqrt: "inversesqrt",
+            has_compute: true,
+        },
+    ),
+    (
+        Language::Glsl330,
+        Dialect {
+            name: "glsl330",
+            extension: "330.glsl",
+            syntax: Syntax::C,
+            version: "#version 330 core",
+            preamble: "",
+            types: ["float", "vec3", "bool", "bvec3"],
+            inverse_sqrt: "inversesqrt",
+            has_compute: false,
+        },
+    ),
+    (
+        Language::Essl300,
+        Dialect {
+            name: "essl300",
+            extension: "300es.glsl",
+            syntax: Syntax::C,
+            version: "#version 300 es",
+            preamble: ESSL_PREAMBLE,
+            types: ["float", "vec3", "bool", "bvec3"],
+            inverse_sqrt: "inversesqrt",
+            has_compute: false,
+        },
+    ),
+];
+
+impl Dialect {
+    /// The row of a language.
+    pub fn of(language: Language) -> &'static Dialect {
+        let row = DIALECTS.iter().find(|(name, _)| *name == language);
+        &row.expect("each language has its row").1
+    }
+
+    /// The name of a type.
+    pub fn type_name(&self, ty: Type) -> &'static str {
+        match ty {
+            Type::Scalar => self.types[0],
+            Type::Vec3 => self.types[1],
+            Type::Mask => self.types[2],
+            Type::Mask3 => self.types[3],
+            Type::Results => unreachable!("the results of a call have the name of their struct"),
+        }
+    }
+
+    /// The name of a built-in function.
+    pub fn function_name(&self, op: UnaryOp) -> &'static str {
+        match op {
+            UnaryOp::Sqrt => "sqrt",
+            UnaryOp::InverseSqrt => self.inverse_sqrt,
+            UnaryOp::Sin => "sin",
+            UnaryOp::Cos => "cos",
+            UnaryOp::Exp => "exp",
+            UnaryOp::Abs => "abs",
+            UnaryOp::Floor => "floor",
+            UnaryOp::Fract => "fract",
+            UnaryOp::Normalize => "normalize",
+            UnaryOp::Negate | UnaryOp::Not => unreachable!("an operator is no function"),
+        }
+    }
+
+    /// A local variable: its declaration with a value.
+    pub fn declare(&self, ty: &str, name: &str, value: &str, mutable: bool) -> String {
+        match (self.syntax, mutable) {
+            (Syntax::Wgsl, false) => format!("let {name} = {value};"),
+            (Syntax::Wgsl, true) => format!("var {name} = {value};"),
+            (Syntax::C, _) => format!("{ty} {name} = {value};"),
+        }
+    }
+
+    /// A parameter, or a field of a struct without what ends it.
+    pub fn typed(&self, ty: &str, name: &str) -> String {
+        match self.syntax {
+            Syntax::Wgsl => format!("{name}: {ty}"),
+            Syntax::C => format!("{ty} {name}"),
+        }
+    }
+}

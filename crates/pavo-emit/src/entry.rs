@@ -1,0 +1,150 @@
+//! Complete texts: the functions of a program with an entry point from a template.
+
+use crate::dialect::{Dialect, Syntax};
+use crate::function::{Context, body};
+use crate::literal::number;
+use crate::text::{Names, comment, functions};
+use crate::{EmitError, Language, Options, WORKGROUP_SIZE};
+use minijinja::{Environment, context};
+use pavo_shade::{Program, Type};
+
+const COMPUTE_WGSL: &str = include_str!("../../../templates/entry/compute.wgsl");
+const COMPUTE_GLSL: &str = include_str!("../../../templates/entry/compute.glsl");
+const SPHERE_WGSL: &str = include_str!("../../../templates/entry/sphere.wgsl");
+const SPHERE_GLSL: &str = include_str!("../../../templates/entry/sphere.glsl");
+const TRIANGLE_WGSL: &str = include_str!("../../../templates/entry/triangle.wgsl");
+
+/// How the fragment entry fills the inputs of a surface.
+#[derive(Clone, Debug, Default)]
+pub struct Sphere {
+    /// A value for each input that is neither a direction nor `n_dot_v`.
+    pub inputs: Vec<SphereInput>,
+}
+
+/// The value of an input over the sphere.
+#[derive(Clone, Debug)]
+pub struct SphereInput {
+    /// The name of the input.
+    pub name: String,
+    /// Its value at the thin end of the pattern, one number or three.
+    pub low: Vec<f64>,
+    /// Its value at the other end; the same where it does not vary.
+    pub high: Vec<f64>,
+}
+
+/// The vertex shader that goes with the fragment entry, in WGSL: one triangle over the whole target.
+pub fn full_screen_triangle() -> &'static str {
+    TRIANGLE_WGSL
+}
+
+/// The inputs that the sphere computes itself.
+const GEOMETRY: [&str; 4] = ["normal", "light_direction", "view_direction", "n_dot_v"];
+
+pub fn compute(program: &Program, options: &Options) -> Result<String, EmitError> {
+    let dialect = Dialect::of(options.language);
+    if !dialect.has_compute {
+        return Err(EmitError::NoCompute { language: dialect.name });
+    }
+    let template = if dialect.syntax == Syntax::Wgsl { COMPUTE_WGSL } else { COMPUTE_GLSL };
+    render("compute", template, program, options, &Sphere::default())
+}
+
+pub fn fragment(program: &Program, options: &Options, sphere: &Sphere) -> Result<String, EmitError> {
+    let template = if Dialect::of(options.language).syntax == Syntax::Wgsl { SPHERE_WGSL } else { SPHERE_GLSL };
+    render("fragment", template, program, options, sphere)
+}
+
+fn render(
+    form: &'static str,
+    template: &str,
+    program: &Program,
+    options: &Options,
+    sphere: &Sphere,
+) -> Result<String, EmitError> {
+    let dialect = Dialect::of(options.language);
+    let names = Names::new(program, &options.prefix);
+    let fields = names.fields();
+    let printer = Context {
+        dialect,
+        functions: &names.functions,
+        structs: &names.structs,
+        fields: &fields,
+        outer: &names.outer,
+        source_lines: options.source_lines,
+    };
+    let main = body(&printer, program.body());
+    let mut offset = 0;
+    let inputs: Vec<minijinja::Value> = program
+        .inputs()
+        .iter()
+        .zip(&main.parameters)
+        .map(|(input, name)| {
+            let row = context! {
+                name,
+                offset,
+                vector => input.ty == Type::Vec3,
+                ty => dialect.type_name(input.ty),
+                value => value_over_sphere(dialect, sphere, &input.name, input.ty),
+                geometry => GEOMETRY.contains(&input.name.as_str()),
+            };
+            offset += input.components();
+            row
+        })
+        .collect();
+    let outputs: Vec<minijinja::Value> = program
+        .outputs()
+        .iter()
+        .zip(&main.results)
+        .map(|(output, value)| context! { name => output.name.as_str(), value })
+        .collect();
+    let columns: Vec<&str> = program.inputs().iter().map(|input| input.name.as_str()).collect();
+    let mut environment = Environment::new();
+    environment.set_undefined_behavior(minijinja::UndefinedBehavior::Strict);
+    let broken = |error: minijinja::Error| EmitError::Template { form, message: format!("{error:#}") };
+    let entry = environment
+        .render_str(
+            template,
+            context! {
+                inputs,
+                outputs,
+                columns => columns.join(", "),
+                statements => main.statements,
+                stride => program.input_components(),
+                workgroup_size => WORKGROUP_SIZE,
+                modern => options.language == Language::Glsl450,
+            },
+        )
+        .map_err(broken)?;
+    let mut text = String::new();
+    if !dialect.version.is_empty() {
+        text.push_str(dialect.version);
+        text.push('\n');
+    }
+    text.push_str(&comment(&options.header));
+    if !dialect.preamble.is_empty() {
+        text.push('\n');
+        text.push_str(dialect.preamble);
+    }
+    text.push_str(&functions(program, options, &names));
+    text.push('\n');
+    text.push_str(entry.trim_end());
+    text.push('\n');
+    Ok(text)
+}
+
+/// The expression of an input over the sphere: a constant, or one that follows the pattern.
+fn value_over_sphere(dialect: &Dialect, sphere: &Sphere, name: &str, ty: Type) -> String {
+    let Some(input) = sphere.inputs.iter().find(|input| input.name == name) else { return String::new() };
+    let constant = |numbers: &[f64]| {
+        let numbers: Vec<String> = numbers.iter().copied().map(number).collect();
+        match ty {
+            Type::Vec3 => format!("{}({})", dialect.type_name(ty), numbers.join(", ")),
+            _ => numbers.concat(),
+        }
+    };
+    if input.low == input.high {
+        constant(&input.low)
+    } else {
+        format!("mix({}, {}, pattern)", constant(&input.low), constant(&input.high))
+    }
+}

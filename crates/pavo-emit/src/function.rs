@@ -1,0 +1,247 @@
+//! A function as text: which nodes become variables, their names, the statements.
+
+use crate::dialect::{Dialect, Syntax};
+use crate::expression::{Expressions, literal};
+use crate::namer::Namer;
+use crate::text::Struct;
+use pavo_shade::{BinaryOp, Definition, Op, Output, ReturnValue, Type, UnaryOp};
+
+/// What stands for a node where it is used.
+#[derive(Clone, Debug)]
+pub enum Local {
+    /// A parameter or a variable.
+    Named {
+        /// Its name.
+        name: String,
+        /// For a variable that takes up what another one held: that one, which is changed in place.
+        accumulates: Option<u32>,
+    },
+    /// Its expression is written out.
+    Written,
+}
+
+/// What a function needs to know of the others.
+pub struct Context<'a> {
+    pub dialect: &'a Dialect,
+    /// The names of all functions of the program.
+    pub functions: &'a [String],
+    /// The structs they return, where they return several values.
+    pub structs: &'a [Option<Struct>],
+    /// The fields of these structs, empty where a function returns one value.
+    pub fields: &'a [Vec<String>],
+    /// The names that stand outside of functions.
+    pub outer: &'a Namer,
+    /// Whether each statement names its line of Rust.
+    pub source_lines: bool,
+}
+
+/// A function's parameters, statements and results.
+pub struct Body {
+    /// Names of the parameters.
+    pub parameters: Vec<String>,
+    /// The statements, a line each, without indentation.
+    pub statements: Vec<String>,
+    /// The results as expressions.
+    pub results: Vec<String>,
+}
+
+/// Prints the inside of a function.
+pub fn body(context: &Context<'_>, definition: &Definition) -> Body {
+    let (parameters, locals) = locals(context, definition);
+    let expressions = Expressions {
+        dialect: context.dialect,
+        definition,
+        locals: &locals,
+        functions: context.functions,
+        fields: context.fields,
+    };
+    let changed: Vec<u32> = locals
+        .iter()
+        .filter_map(|local| match local {
+            Local::Named { accumulates, .. } => *accumulates,
+            Local::Written => None,
+        })
+        .collect();
+    let mut statements = Vec::new();
+    for (index, node) in definition.nodes.iter().enumerate() {
+        let index = index as u32;
+        let Local::Named { name, accumulates } = &locals[index as usize] else { continue };
+        if matches!(node.op, Op::Parameter(_)) {
+            continue;
+        }
+        let statement = match accumulates {
+            Some(_) => accumulation(&expressions, node.op, name),
+            None => {
+                let ty = match node.op {
+                    Op::Call(callee, _) => context.structs[callee as usize].as_ref().map(|made| made.name.as_str()),
+                    _ => None,
+                };
+                let ty = ty.unwrap_or_else(|| context.dialect.type_name(node.ty));
+                context.dialect.declare(ty, name, &expressions.computed(index).0, changed.contains(&index))
+            }
+        };
+        let place = if context.source_lines {
+            let file = node.location.file().rsplit('/').next().unwrap_or_default();
+            format!(" // {file}:{}", node.location.line())
+        } else {
+            String::new()
+        };
+        statements.push(format!("{statement}{place}"));
+    }
+    let results = definition.results.iter().map(|result| result_text(&expressions, result)).collect();
+    Body { parameters, statements, results }
+}
+
+fn result_text(expressions: &Expressions<'_>, result: &Output) -> String {
+    match result.value {
+        ReturnValue::Literal(value) => literal(value).0,
+        ReturnValue::Literal3(value) => expressions.vector(value),
+        ReturnValue::Node(index) => expressions.whole(index),
+    }
+}
+
+/// `name += ..` where the right-hand side is written out.
+fn accumulation(expressions: &Expressions<'_>, op: Op, name: &str) -> String {
+    let Op::Binary(op, _, operand) = op else { unreachable!("only sums and products accumulate") };
+    let sign = match op {
+        BinaryOp::Add => "+",
+        BinaryOp::Subtract => "-",
+        _ => "*",
+    };
+    format!("{name} {sign}= {};", expressions.whole(operand))
+}
+
+/// How often each node is used.
+fn uses(definition: &Definition) -> Vec<usize> {
+    let mut uses = vec![0; definition.nodes.len()];
+    let mut count = |index: u32| uses[index as usize] += 1;
+    for node in &definition.nodes {
+        match node.op {
+            Op::Literal(_) | Op::Literal3(_) | Op::Parameter(_) => {}
+            Op::Unary(_, a) | Op::Splat(a) | Op::Component(a, _) | Op::Result(a, _) => count(a),
+            Op::Binary(_, a, b) | Op::Compare(_, a, b) => [a, b].into_iter().for_each(&mut count),
+            Op::Select(a, b, c) | Op::Clamp(a, b, c) | Op::Mix(a, b, c) | Op::Vec3(a, b, c) => {
+                [a, b, c].into_iter().for_each(&mut count);
+            }
+            Op::Call(_, arguments) => definition.calls[arguments as usize].iter().copied().for_each(&mut count),
+        }
+    }
+    for result in &definition.results {
+        if let ReturnValue::Node(index) = result.value {
+            count(index);
+        }
+    }
+    uses
+}
+
+fn locals(context: &Context<'_>, definition: &Definition) -> (Vec<String>, Vec<Local>) {
+    let mut namer = context.outer.clone();
+    let parameters: Vec<String> = definition.parameters.iter().map(|parameter| namer.fresh(&parameter.name)).collect();
+    let uses = uses(definition);
+    let mut locals: Vec<Local> = Vec::new();
+    for (index, node) in definition.nodes.iter().enumerate() {
+        let returns_struct = |call: u32| match definition.nodes[call as usize].op {
+            Op::Call(callee, _) => !context.fields[callee as usize].is_empty(),
+            _ => false,
+        };
+        let is_variable = match node.op {
+            Op::Parameter(parameter) => {
+                let name = parameters[parameter as usize].clone();
+                locals.push(Local::Named { name, accumulates: None });
+                continue;
+            }
+            Op::Literal(_) | Op::Literal3(_) | Op::Component(..) => false,
+            Op::Call(..) => returns_struct(index as u32),
+            Op::Result(call, _) if returns_struct(call) => false,
+            _ => node.name.is_some() || uses[index] > 1,
+        };
+        if !is_variable {
+            locals.push(Local::Written);
+            continue;
+        }
+        let accumulates = accumulates(definition, &uses, &locals, index);
+        let name = match accumulates.map(|previous| &locals[previous as usize]) {
+            Some(Local::Named { name, .. }) => name.clone(),
+            _ => namer.fresh(&wanted_name(context, definition, &locals, index)),
+        };
+        locals.push(Local::Named { name, accumulates });
+    }
+    (parameters, locals)
+}
+
+/// The variable that this node changes in place: its first operand, if the author gave both one name and nothing else
+/// uses what it held.
+fn accumulates(definition: &Definition, uses: &[usize], locals: &[Local], index: usize) -> Option<u32> {
+    let node = &definition.nodes[index];
+    let Op::Binary(BinaryOp::Add | BinaryOp::Subtract | BinaryOp::Multiply, first, _) = node.op else { return None };
+    let previous = &definition.nodes[first as usize];
+    let is_variable = matches!(locals[first as usize], Local::Named { .. }) && !matches!(previous.op, Op::Parameter(_));
+    let same = node.name.is_some() && node.name == previous.name && node.ty == previous.ty;
+    (is_variable && same && uses[first as usize] == 1).then_some(first)
+}
+
+/// The name that the author gave, or one that says what the node is.
+fn wanted_name(context: &Context<'_>, definition: &Definition, locals: &[Local], index: usize) -> String {
+    let node = &definition.nodes[index];
+    if let Some(name) = &node.name {
+        return name.clone();
+    }
+    let operand = |index: u32| match &locals[index as usize] {
+        Local::Named { name, .. } => Some(name.as_str()),
+        Local::Written => None,
+    };
+    let of = |kind: &str, index: u32| operand(index).map_or_else(|| kind.to_owned(), |name| format!("{kind}_{name}"));
+    match node.op {
+        Op::Unary(op, a) => match op {
+            UnaryOp::Negate => of("minus", a),
+            UnaryOp::Sqrt => of("root", a),
+            UnaryOp::InverseSqrt => of("inverse_root", a),
+            UnaryOp::Abs => of("abs", a),
+            UnaryOp::Not => of("not", a),
+            UnaryOp::Normalize => of("unit", a),
+            other => of(context.dialect.function_name(other), a),
+        },
+        Op::Binary(BinaryOp::Multiply, a, b) if a == b => {
+            operand(a).map_or_else(|| "square".to_owned(), |name| format!("{name}_squared"))
+        }
+        Op::Binary(op, ..) => match op {
+            BinaryOp::Add => "sum",
+            BinaryOp::Subtract => "difference",
+            BinaryOp::Multiply => "product",
+            BinaryOp::Divide => "ratio",
+            BinaryOp::Min => "smaller",
+            BinaryOp::Max => "larger",
+            BinaryOp::Dot => "cosine",
+            BinaryOp::And => "both",
+            BinaryOp::Or => "either",
+        }
+        .to_owned(),
+        Op::Compare(..) => "is_less".to_owned(),
+        Op::Select(..) => "chosen".to_owned(),
+        Op::Clamp(x, ..) => of("clamped", x),
+        Op::Mix(..) => "mixed".to_owned(),
+        Op::Vec3(..) => "vector".to_owned(),
+        Op::Splat(a) => operand(a).map_or_else(|| "vector".to_owned(), |name| format!("{name}_rgb")),
+        Op::Call(callee, _) => format!("{}_result", context.functions[callee as usize]),
+        Op::Result(call, _) => match definition.nodes[call as usize].op {
+            Op::Call(callee, _) => format!("{}_result", context.functions[callee as usize]),
+            _ => "result".to_owned(),
+        },
+        Op::Literal(_) | Op::Literal3(_) | Op::Parameter(_) | Op::Component(..) => "value".to_owned(),
+    }
+}
+
+/// The head of a function: its name, parameters and result type, broken over lines when long.
+pub fn head(dialect: &Dialect, name: &str, parameters: &[(String, Type)], result: &str) -> String {
+    let typed: Vec<String> = parameters.iter().map(|(name, ty)| dialect.typed(dialect.type_name(*ty), name)).collect();
+    let (before, after) = match dialect.syntax {
+        Syntax::Wgsl => (format!("fn {name}("), format!(") -> {result} {{")),
+        Syntax::C => (format!("{result} {name}("), ") {".to_owned()),
+    };
+    let line = format!("{before}{}{after}", typed.join(", "));
+    if line.len() <= 100 {
+        return line;
+    }
+    let comma = if dialect.syntax == Syntax::Wgsl { "," } else { "" };
+    format!("{before}\n    {}{comma}\n{after}", typed.join(",\n    "))
+}

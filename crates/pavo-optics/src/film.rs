@@ -1,0 +1,220 @@
+//! The film between two media: its wave vectors, and its reflectance as a colour by one of the methods.
+
+use crate::airy::{AiryTerms, airy_reflectance, airy_terms};
+use crate::series::{GaussianFit, series_reflectance};
+use crate::spectral::{SpectralNode, spectral_reflectance};
+use crate::wave::{NormalComponent, normal_component_absorbing, normal_component_squared, p_component_absorbing};
+use core::f64::consts::PI;
+use pavo_shade::{Lanes, Real, Scalar, Value, Vector, shade};
+
+/// What the base is made of.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum BaseKind {
+    /// A real index.
+    Dielectric {
+        /// Whether the base may reflect totally: its index may be below that of the ambient medium.
+        total_reflection: bool,
+    },
+    /// A complex index.
+    Conductor,
+}
+
+/// How the reflectance over the spectrum becomes a colour.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Method {
+    /// The series of Belcour and Barla, truncated at an order, with sensitivities as sums of Gaussians.
+    Series {
+        /// The highest order, at least 1.
+        order: usize,
+        /// The sensitivities.
+        fit: GaussianFit,
+    },
+    /// The exact reflectance at several wavelengths.
+    Spectral {
+        /// The wavelengths with their weights.
+        nodes: Vec<SpectralNode>,
+    },
+}
+
+/// What is known of the film when the code is made.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Film {
+    /// The kind of base.
+    pub base: BaseKind,
+    /// Whether the film may reflect totally: its index may be below that of the ambient medium.
+    pub total_reflection: bool,
+    /// The method.
+    pub method: Method,
+    /// A wavelength for each output channel, in nm, at which the exact reflectance stands for the channel where the
+    /// series does not hold: under total internal reflection into the film.
+    pub channel_wavelengths_nm: [f64; 3],
+}
+
+/// The wave in the film.
+#[shade]
+pub struct FilmWave<R: Real> {
+    /// Square of the normal wave vector component, negative under total internal reflection.
+    pub q2_squared: R,
+    /// The modulus of the normal wave vector component.
+    pub q2: R,
+}
+
+/// The terms of Airy's closed form for both polarisations.
+#[shade(flat)]
+pub struct FilmTerms<R: Real> {
+    /// Terms for s polarisation.
+    pub s: AiryTerms<R>,
+    /// Terms for p polarisation.
+    pub p: AiryTerms<R>,
+}
+
+/// The wave in the film. Its normal component is kept away from 0, where the phase vanishes with it.
+#[shade]
+pub fn film_wave<R: Real>(
+    /// Whether the film may reflect totally.
+    #[constant]
+    total_reflection: bool,
+    /// Cosine of the angle of incidence in the ambient medium, [0, 1].
+    cos_theta1: R,
+    /// Refractive index of the ambient medium, > 0.
+    ambient_ior: R,
+    /// Refractive index of the film, > 0.
+    film_ior: R,
+) -> FilmWave<R> {
+    let smallest = R::lit(1e-12);
+    let square = normal_component_squared(cos_theta1, ambient_ior, film_ior);
+    if !total_reflection {
+        let q2_squared = square.max(smallest);
+        return FilmWave { q2_squared, q2: q2_squared.sqrt() };
+    }
+    let q2_squared = R::select(square.abs().less_than(smallest), smallest, square);
+    FilmWave { q2_squared, q2: q2_squared.abs().sqrt() }
+}
+
+/// Normal wave vector components in the base for both polarisations (for p over the permittivity).
+#[shade(flat)]
+pub struct BaseWave<R: Real> {
+    /// For s polarisation.
+    pub s: NormalComponent<R>,
+    /// For p polarisation.
+    pub p: NormalComponent<R>,
+}
+
+/// Normal wave vector components in the base.
+pub fn base_wave<R: Real>(base: BaseKind, cos_theta1: R, ambient_ior: R, base_ior: R, base_kappa: R) -> BaseWave<R> {
+    let zero = R::lit(0.0);
+    match base {
+        BaseKind::Conductor => {
+            let q3 = normal_component_absorbing(cos_theta1, ambient_ior, base_ior, base_kappa);
+            BaseWave { s: q3, p: p_component_absorbing(q3, base_ior, base_kappa) }
+        }
+        BaseKind::Dielectric { total_reflection } => {
+            let square = normal_component_squared(cos_theta1, ambient_ior, base_ior);
+            let re = square.max(zero).sqrt().named("q3");
+            let im = if total_reflection { (-square).max(zero).sqrt().named("q3_decay") } else { zero };
+            let scale = R::lit(1.0) / (base_ior * base_ior);
+            BaseWave { s: NormalComponent { re, im }, p: NormalComponent { re: re * scale, im: im * scale } }
+        }
+    }
+}
+
+/// Terms of Airy's closed form for s and p polarisation of the film on its base.
+#[shade]
+pub fn film_terms<S: Scalar, R: Lanes<S> + Value<Leaf = S::Leaf>>(
+    /// Whether the film may reflect totally.
+    #[constant]
+    total_reflection: bool,
+    /// The kind of base.
+    #[constant]
+    base: BaseKind,
+    /// Cosine of the angle of incidence in the ambient medium, [0, 1].
+    cos_theta1: S,
+    /// Refractive index of the ambient medium, > 0.
+    ambient_ior: S,
+    /// Refractive index of the film, > 0.
+    film_ior: S,
+    /// Wave in the film.
+    wave: FilmWave<S>,
+    /// Refractive index of the base, > 0.
+    base_ior: R,
+    /// Extinction coefficient of the base, >= 0.
+    base_kappa: R,
+) -> FilmTerms<R> {
+    let q1 = ambient_ior * cos_theta1;
+    let q3 = base_wave(base, R::from_scalar(cos_theta1), R::from_scalar(ambient_ior), base_ior, base_kappa);
+    let q1_p = q1 * (1.0 / (ambient_ior * ambient_ior));
+    let scale = 1.0 / (film_ior * film_ior);
+    let q2_p = wave.q2 * scale;
+    let q2_p_squared = wave.q2_squared * scale * scale;
+    let lanes = R::from_scalar;
+    FilmTerms {
+        s: airy_terms(total_reflection, lanes(q1), lanes(wave.q2), lanes(wave.q2_squared), q3.s),
+        p: airy_terms(total_reflection, lanes(q1_p), lanes(q2_p), lanes(q2_p_squared), q3.p),
+    }
+}
+
+/// Reflectance of a thin film in unpolarised light as a linear colour.
+///
+/// Source: Belcour and Barla 2017, equation 5, with the film's Airy reflectance in place of Fresnel's.
+#[shade]
+pub fn film_reflectance<S: Scalar, R: Lanes<S> + Value<Leaf = S::Leaf>>(
+    /// What is known of the film.
+    #[constant]
+    film: &Film,
+    /// Cosine of the angle between half vector and light, [0, 1].
+    cos_theta1: S,
+    /// Thickness of the film, nm, >= 0.
+    thickness_nm: S,
+    /// Refractive index of the ambient medium, > 0.
+    ambient_ior: S,
+    /// Refractive index of the film, > 0.
+    film_ior: S,
+    /// Refractive index of the base, > 0.
+    base_ior: R,
+    /// Extinction coefficient of the base, >= 0.
+    base_kappa: R,
+) -> S::Vec3 {
+    let wave = film_wave(film.total_reflection, cos_theta1, ambient_ior, film_ior);
+    let opd_nm = 2.0 * thickness_nm * wave.q2;
+    if let Method::Spectral { nodes } = &film.method
+        && nodes.iter().any(|node| node.base.is_some())
+    {
+        return crate::spectral::dispersive_reflectance(film, nodes, cos_theta1, ambient_ior, film_ior, wave, opd_nm);
+    }
+    let terms =
+        film_terms(film.total_reflection, film.base, cos_theta1, ambient_ior, film_ior, wave, base_ior, base_kappa);
+    match &film.method {
+        Method::Spectral { nodes } => spectral_reflectance::<S, R>(film.total_reflection, nodes, terms, wave, opd_nm),
+        Method::Series { order, fit } => {
+            let q1 = ambient_ior * cos_theta1;
+            let q3 =
+                base_wave(film.base, R::from_scalar(cos_theta1), R::from_scalar(ambient_ior), base_ior, base_kappa);
+            let permittivity = [ambient_ior * ambient_ior, film_ior * film_ior];
+            let series = series_reflectance::<S, R>(*order, fit, terms, q1, wave.q2, q3, permittivity, opd_nm);
+            if !film.total_reflection {
+                return series;
+            }
+            let evanescent = wave.q2_squared.less_than(0.0);
+            S::Vec3::choose(evanescent, frustrated_reflectance::<S, R>(film, terms, wave, opd_nm), series)
+        }
+    }
+}
+
+/// Under total internal reflection into the film the round trips decay instead of interfering: the exact reflectance
+/// at one wavelength a channel is smooth enough.
+fn frustrated_reflectance<S: Scalar, R: Lanes<S> + Value<Leaf = S::Leaf>>(
+    film: &Film,
+    terms: FilmTerms<R>,
+    wave: FilmWave<S>,
+    opd_nm: S,
+) -> S::Vec3 {
+    let channels = |terms: AiryTerms<R>| AiryTerms {
+        transmitted: terms.transmitted.into_vec3(),
+        offset: terms.offset.into_vec3(),
+        contrast: terms.contrast.into_vec3(),
+        absorption: terms.absorption.into_vec3(),
+    };
+    let half_wave_numbers = S::Vec3::lit3(film.channel_wavelengths_nm.map(|wavelength| PI / wavelength));
+    let phase = half_wave_numbers * opd_nm;
+    airy_reflectance(true, channels(terms.s), channels(terms.p), S::Vec3::splat(wave.q2_squared), phase)
+}

@@ -1,0 +1,29 @@
+//! The metalness workflow: one base colour for diffuse and specular reflection.
+
+use pavo_shade::{Real, Scalar, Vector, shade};
+
+/// Diffuse and specular colour.
+#[shade]
+pub struct Colors<V: Real> {
+    /// Diffuse colour: the albedo of what enters.
+    pub diffuse: V,
+    /// Specular colour: the reflectance at normal incidence.
+    pub specular: V,
+}
+
+/// Diffuse and specular colour of the metalness workflow. At 0 the base colour is diffuse and 4 % are reflected; at 1
+/// nothing is diffuse and the base colour is reflected.
+///
+/// Source: the seed's `c_diff` and `c_spec`; between its two ends, linear.
+#[shade]
+pub fn metalness_colors<S: Scalar>(
+    /// Base colour, linear, [0, 1].
+    base_color: S::Vec3,
+    /// Metalness, [0, 1].
+    metalness: S,
+) -> Colors<S::Vec3> {
+    Colors {
+        diffuse: base_color * (1.0 - metalness),
+        specular: S::Vec3::mix(S::Vec3::lit(0.04), base_color, S::Vec3::splat(metalness)),
+    }
+}

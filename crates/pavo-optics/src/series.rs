@@ -1,0 +1,146 @@
+//! The series over orders of interference, with the spectral sensitivities as sums of Gaussians.
+//!
+//! With `r21`, `r23` the amplitude coefficients inside the film, `b = r21 r23` and
+//! `Q = (1 - r12^2)(1 - |r23|^2) / (1 - r12^2 |r23|^2)` for each polarisation:
+//!
+//! `R_j = 1 - Q - 2 Q Re sum_(m = 1 .. M) b^m S_j(m D)`,
+//!
+//! where `D` is the optical path difference and `S_j` the Fourier transform of the sensitivity of channel j over the
+//! wave number, `S_j(0) = 1`. It is the main result of Belcour and Barla 2017 with `C_0 = 1 - Q`, `C_m = -Q b^m`.
+
+use crate::airy::AiryTerms;
+use crate::film::{BaseWave, FilmTerms};
+use crate::wave::NormalComponent;
+use pavo_shade::{Lanes, Real, Scalar, Value, Vector, shade};
+
+/// One Gaussian of the sensitivities over the wave number, as it appears in their Fourier transform:
+/// `weight exp(-decay D^2) e^(i angular_wave_number D)`.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct GaussianTerm {
+    /// Centre of the Gaussian, 2 pi / wavelength, radians per nm.
+    pub angular_wave_number: f64,
+    /// Decay with the square of the optical path difference, 1/nm^2; half the variance of the Gaussian over the
+    /// angular wave number.
+    pub decay: f64,
+    /// Share in each output channel.
+    pub weight: [f64; 3],
+}
+
+/// The sensitivities of the output channels as a sum of Gaussians. The weights of a channel add up to 1.
+#[derive(Clone, Debug, PartialEq)]
+pub struct GaussianFit {
+    /// The Gaussians, shared by the channels.
+    pub terms: Vec<GaussianTerm>,
+}
+
+/// Coefficients of the series for one polarisation.
+#[shade]
+pub struct SeriesTerms<R: Real> {
+    /// `Q`: the transmittance of the film, averaged over the phase.
+    pub transmittance: R,
+    /// Real part of `b`: the amplitude that one more round trip leaves.
+    pub round_trip: R,
+    /// Imaginary part of `b`; 0 for a dielectric base.
+    pub round_trip_im: R,
+}
+
+/// Coefficients of the series over orders for one polarisation: the transmittance averaged over the phase, and the
+/// amplitude of one round trip.
+///
+/// Source: Belcour and Barla 2017, equations 6 and 7, for a complex base index.
+#[shade]
+pub fn series_terms<R: Real>(
+    /// Terms of Airy's closed form.
+    terms: AiryTerms<R>,
+    /// Normal wave vector component in the ambient medium (for p polarisation over the permittivity).
+    q1: R,
+    /// The same in the film.
+    q2: R,
+    /// The same in the base.
+    q3: NormalComponent<R>,
+) -> SeriesTerms<R> {
+    let q2_squared = q2 * q2;
+    let modulus = q3.re * q3.re + q3.im * q3.im;
+    let average = q2 * (q3.re * (q1 * q1 + q2_squared) + q1 * (q2_squared + modulus));
+    let scale = 1.0 / (2.0 * (terms.offset + average) + terms.contrast).max(1e-30);
+    SeriesTerms {
+        transmittance: terms.transmitted / average.max(1e-30),
+        round_trip: terms.contrast * scale,
+        round_trip_im: terms.absorption * scale,
+    }
+}
+
+/// Fourier transform of the sensitivities.
+#[shade]
+pub struct Sensitivity<V: Real> {
+    /// Real part, by channel.
+    pub re: V,
+    /// Imaginary part, by channel.
+    pub im: V,
+}
+
+/// Fourier transform of the sensitivities of the three channels over the wave number, at one optical path difference:
+/// a sum of Gaussians.
+///
+/// Source: Belcour and Barla 2017, section 3.3 and its supplemental code.
+#[shade]
+pub fn sensitivity<S: Scalar>(
+    /// The sensitivities.
+    #[constant]
+    fit: &GaussianFit,
+    /// Optical path difference, nm.
+    opd_nm: S,
+) -> Sensitivity<S::Vec3> {
+    let opd_squared = opd_nm * opd_nm;
+    let mut re = S::Vec3::lit(0.0);
+    let mut im = S::Vec3::lit(0.0);
+    for term in &fit.terms {
+        let weight = S::Vec3::lit3(term.weight);
+        let gaussian = (opd_squared * S::lit(-term.decay)).exp();
+        let phase = opd_nm * S::lit(term.angular_wave_number);
+        re = re + weight * (gaussian * phase.cos());
+        im = im + weight * (gaussian * phase.sin());
+    }
+    Sensitivity { re, im }
+}
+
+/// Reflectance of the film by the series, up to an order.
+pub fn series_reflectance<S: Scalar, R: Lanes<S> + Value<Leaf = S::Leaf>>(
+    order: usize,
+    fit: &GaussianFit,
+    terms: FilmTerms<R>,
+    q1: S,
+    q2: S,
+    q3: BaseWave<R>,
+    permittivity: [S; 2],
+    opd_nm: S,
+) -> S::Vec3 {
+    let lanes = R::from_scalar;
+    let [ambient, film] = permittivity.map(|permittivity| S::lit(1.0) / permittivity);
+    let s = series_terms(terms.s, lanes(q1), lanes(q2), q3.s).named("series_s");
+    let p = series_terms(terms.p, lanes(q1 * ambient), lanes(q2 * film), q3.p).named("series_p");
+    let average = R::lit(1.0) - (s.transmittance + p.transmittance) * R::lit(0.5);
+    let mut color = average.into_vec3();
+    let mut power_s = [s.transmittance * s.round_trip, s.transmittance * s.round_trip_im];
+    let mut power_p = [p.transmittance * p.round_trip, p.transmittance * p.round_trip_im];
+    for m in 1..=order {
+        if m > 1 {
+            power_s = complex_product(power_s, [s.round_trip, s.round_trip_im]);
+            power_p = complex_product(power_p, [p.round_trip, p.round_trip_im]);
+        }
+        let [power_s_re, power_s_im] = power_s;
+        let [power_p_re, power_p_im] = power_p;
+        power_s = [power_s_re.named("order_s"), power_s_im.named("order_s_im")];
+        power_p = [power_p_re.named("order_p"), power_p_im.named("order_p_im")];
+        let re = power_s[0] + power_p[0];
+        let im = power_s[1] + power_p[1];
+        let transform = sensitivity(fit, opd_nm * S::lit(m as f64)).named("sensitivity");
+        let interference = transform.re * re.into_vec3() - transform.im * im.into_vec3();
+        color = (color - interference).named("color");
+    }
+    color
+}
+
+fn complex_product<R: Real>(a: [R; 2], b: [R; 2]) -> [R; 2] {
+    [a[0] * b[0] - a[1] * b[1], a[0] * b[1] + a[1] * b[0]]
+}

@@ -1,0 +1,95 @@
+//! The reflectance at several wavelengths, weighted: a plain quadrature over the spectrum.
+
+use crate::airy::airy_reflectance;
+use crate::film::{Film, FilmTerms, FilmWave, film_terms};
+use core::f64::consts::PI;
+use pavo_shade::{Lanes, Real, Scalar, Value, Vector, shade};
+
+/// A wavelength of the quadrature.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct SpectralNode {
+    /// Wavelength in vacuum, nm.
+    pub wavelength_nm: f64,
+    /// Weight for each output channel; over all nodes the weights of a channel add up to 1.
+    pub weight: [f64; 3],
+    /// Refractive index and extinction coefficient of a base that depends on the wavelength.
+    pub base: Option<(f64, f64)>,
+}
+
+impl SpectralNode {
+    /// Half the phase of a round trip per nm of optical path difference, radians: pi / wavelength.
+    fn half_wave_number(&self) -> f64 {
+        PI / self.wavelength_nm
+    }
+}
+
+/// Reflectance of a film whose media do not depend on the wavelength.
+pub fn spectral_reflectance<S: Scalar, R: Lanes<S> + Value<Leaf = S::Leaf>>(
+    total_reflection: bool,
+    nodes: &[SpectralNode],
+    terms: FilmTerms<R>,
+    wave: FilmWave<S>,
+    opd_nm: S,
+) -> S::Vec3 {
+    let q2_squared = R::from_scalar(wave.q2_squared);
+    weighted(nodes, |node| {
+        let phase = R::from_scalar(opd_nm * S::lit(node.half_wave_number()));
+        airy_reflectance(total_reflection, terms.s, terms.p, q2_squared, phase).into_vec3()
+    })
+}
+
+/// Reflectance of a film on a base whose index depends on the wavelength.
+pub fn dispersive_reflectance<S: Scalar>(
+    film: &Film,
+    nodes: &[SpectralNode],
+    cos_theta1: S,
+    ambient_ior: S,
+    film_ior: S,
+    wave: FilmWave<S>,
+    opd_nm: S,
+) -> S::Vec3 {
+    weighted(nodes, |node| {
+        let (ior, kappa) = node.base.unwrap_or((1.0, 0.0));
+        let half_wave_number = S::lit(node.half_wave_number());
+        let (base_ior, base_kappa) = (S::lit(ior), S::lit(kappa));
+        let phase = opd_nm * half_wave_number;
+        S::Vec3::splat(node_reflectance(film, cos_theta1, ambient_ior, film_ior, wave, phase, base_ior, base_kappa))
+    })
+}
+
+/// Reflectance of the film at one wavelength, with the index that the base has there.
+#[shade]
+pub fn node_reflectance<S: Scalar>(
+    /// What is known of the film.
+    #[constant]
+    film: &Film,
+    /// Cosine of the angle of incidence in the ambient medium, [0, 1].
+    cos_theta1: S,
+    /// Refractive index of the ambient medium, > 0.
+    ambient_ior: S,
+    /// Refractive index of the film, > 0.
+    film_ior: S,
+    /// Wave in the film.
+    wave: FilmWave<S>,
+    /// Half the phase of one round trip in the film, radians.
+    phase: S,
+    /// Refractive index of the base at this wavelength, > 0.
+    #[runtime]
+    base_ior: S,
+    /// Extinction coefficient of the base at this wavelength, >= 0.
+    #[runtime]
+    base_kappa: S,
+) -> S {
+    let terms =
+        film_terms(film.total_reflection, film.base, cos_theta1, ambient_ior, film_ior, wave, base_ior, base_kappa);
+    airy_reflectance(film.total_reflection, terms.s, terms.p, wave.q2_squared, phase)
+}
+
+/// The sum of a reflectance over the nodes, each times its weight.
+pub fn weighted<V: Vector<S>, S: Real>(nodes: &[SpectralNode], reflectance: impl Fn(&SpectralNode) -> V) -> V {
+    let mut color = V::lit(0.0);
+    for node in nodes {
+        color = (color + reflectance(node) * V::lit3(node.weight)).named("color");
+    }
+    color
+}

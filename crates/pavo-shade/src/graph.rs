@@ -1,0 +1,417 @@
+//! The shader graph: functions of hash-consed nodes, recorded while a shading function runs on [`Expr`].
+
+use crate::expr::Expr;
+use crate::function::{FunctionInfo, Input};
+use crate::program::Program;
+use crate::value::LeafInfo;
+use std::cell::RefCell;
+use std::collections::HashMap;
+use std::panic::Location;
+
+/// The type of a node.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Type {
+    /// One number.
+    Scalar,
+    /// Three numbers.
+    Vec3,
+    /// A truth value, the result of comparing scalars.
+    Mask,
+    /// A truth value per component.
+    Mask3,
+    /// The results of a call of a function.
+    Results,
+}
+
+/// Operations on one operand, by component.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[allow(missing_docs)]
+pub enum UnaryOp {
+    Negate,
+    Sqrt,
+    InverseSqrt,
+    Sin,
+    Cos,
+    Exp,
+    Abs,
+    Floor,
+    Fract,
+    Normalize,
+    Not,
+}
+
+/// Operations on two operands, by component (a scalar beside a vector counts for each component).
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[allow(missing_docs)]
+pub enum BinaryOp {
+    Add,
+    Subtract,
+    Multiply,
+    Divide,
+    Min,
+    Max,
+    Dot,
+    And,
+    Or,
+}
+
+/// Comparisons, by component.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[allow(missing_docs)]
+pub enum Comparison {
+    Less,
+}
+
+/// An operation. Operands are nodes of the same function.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Op {
+    /// The bits of an `f64`.
+    Literal(u64),
+    /// The bits of three `f64`.
+    Literal3([u64; 3]),
+    /// A parameter of the function; in the outermost function, an input.
+    Parameter(u32),
+    /// An operation on one operand.
+    Unary(UnaryOp, u32),
+    /// An operation on two operands.
+    Binary(BinaryOp, u32, u32),
+    /// A comparison.
+    Compare(Comparison, u32, u32),
+    /// Condition, value where it holds, value elsewhere.
+    Select(u32, u32, u32),
+    /// `clamp(x, low, high)`.
+    Clamp(u32, u32, u32),
+    /// `mix(a, b, t)`.
+    Mix(u32, u32, u32),
+    /// A vector of three scalars.
+    Vec3(u32, u32, u32),
+    /// A vector with the same number three times.
+    Splat(u32),
+    /// A component of a vector, 0 to 2.
+    Component(u32, u8),
+    /// A call: the function, and an index into [`Function::calls`] with the arguments.
+    Call(u32, u32),
+    /// A result of a call.
+    Result(u32, u32),
+}
+
+/// A node: its operation, type, name, and the line of Rust that made it.
+#[derive(Clone, Debug)]
+pub struct Node {
+    /// What it computes.
+    pub op: Op,
+    /// The type of its value.
+    pub ty: Type,
+    /// The name of the `let` that bound it.
+    pub name: Option<String>,
+    /// Where it was written.
+    pub location: &'static Location<'static>,
+}
+
+/// A node of a function.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub struct NodeId {
+    pub(crate) function: u32,
+    pub(crate) index: u32,
+}
+
+/// What a function gives back at one leaf of its result.
+#[derive(Clone, Copy, Debug)]
+pub(crate) enum Leaf {
+    Literal(f64),
+    Literal3([f64; 3]),
+    Node(u32),
+}
+
+/// One instance of a function, specialised on its literal arguments.
+pub(crate) struct Function {
+    pub info: Option<&'static FunctionInfo>,
+    /// A parameter for each argument that is not literal.
+    pub parameters: Vec<(LeafInfo, Type)>,
+    pub nodes: Vec<Node>,
+    pub interned: HashMap<Op, u32>,
+    pub calls: Vec<Vec<u32>>,
+    pub interned_calls: HashMap<(u32, Vec<u32>), u32>,
+    pub results: Vec<(LeafInfo, Leaf)>,
+    pub result_type: Option<&'static str>,
+}
+
+impl Function {
+    fn new(info: Option<&'static FunctionInfo>) -> Self {
+        Self {
+            info,
+            parameters: Vec::new(),
+            nodes: Vec::new(),
+            interned: HashMap::new(),
+            calls: Vec::new(),
+            interned_calls: HashMap::new(),
+            results: Vec::new(),
+            result_type: None,
+        }
+    }
+}
+
+/// What an argument contributes to the identity of an instance.
+#[derive(Clone, PartialEq, Eq, Hash)]
+pub(crate) enum ArgumentKey {
+    Literal(u64),
+    Literal3([u64; 3]),
+    Typed(Type),
+}
+
+#[derive(PartialEq, Eq, Hash)]
+struct InstanceKey {
+    module: &'static str,
+    name: &'static str,
+    constants: String,
+    arguments: Vec<ArgumentKey>,
+}
+
+pub(crate) struct State {
+    pub functions: Vec<Function>,
+    pub inputs: Vec<Input>,
+    pub outputs: Vec<(String, Leaf, Type)>,
+    instances: HashMap<InstanceKey, u32>,
+    open: Vec<u32>,
+}
+
+/// A graph under construction: inputs, a computation, outputs.
+pub struct Graph {
+    pub(crate) state: RefCell<State>,
+}
+
+impl Default for Graph {
+    fn default() -> Self {
+        Self::new()
+    }
+}
+
+impl Graph {
+    /// An empty graph.
+    pub fn new() -> Self {
+        let state = State {
+            functions: vec![Function::new(None)],
+            inputs: Vec::new(),
+            outputs: Vec::new(),
+            instances: HashMap::new(),
+            open: vec![0],
+        };
+        Self { state: RefCell::new(state) }
+    }
+
+    /// Declares a run-time input.
+    #[track_caller]
+    pub fn input(&self, input: Input) -> Expr<'_> {
+        let ty = input.ty;
+        let index = {
+            let mut state = self.state.borrow_mut();
+            state.inputs.push(input);
+            state.inputs.len() as u32 - 1
+        };
+        self.node(Op::Parameter(index), ty)
+    }
+
+    /// Declares an output.
+    pub fn output(&self, name: &str, value: Expr<'_>) {
+        let ty = value.ty();
+        let leaf = self.leaf(value);
+        self.state.borrow_mut().outputs.push((name.to_owned(), leaf, ty));
+    }
+
+    /// The finished program: only what the outputs need.
+    pub fn program(&self) -> Program {
+        Program::new(&self.state.borrow())
+    }
+
+    /// The node of this operation in the function that is being recorded, made if there is none yet.
+    #[track_caller]
+    pub(crate) fn node(&self, op: Op, ty: Type) -> Expr<'_> {
+        let location = Location::caller();
+        let mut state = self.state.borrow_mut();
+        let function = *state.open.last().expect("the outermost function is always open");
+        let body = &mut state.functions[function as usize];
+        let nodes = &mut body.nodes;
+        let index = *body.interned.entry(op).or_insert_with(|| {
+            nodes.push(Node { op, ty, name: None, location });
+            nodes.len() as u32 - 1
+        });
+        Expr::Node(self, NodeId { function, index })
+    }
+
+    /// The index of an expression as an operand of the function that is being recorded.
+    #[track_caller]
+    pub(crate) fn operand(&self, expr: Expr<'_>) -> u32 {
+        let made = match expr {
+            Expr::Literal(value) => self.node(Op::Literal(value.to_bits()), Type::Scalar),
+            Expr::Literal3(value) => self.node(Op::Literal3(value.map(f64::to_bits)), Type::Vec3),
+            Expr::Node(..) => expr,
+        };
+        let Expr::Node(graph, id) = made else { unreachable!("literals were made nodes") };
+        assert!(std::ptr::eq(graph, self), "an expression of another graph was used here");
+        let open = *self.state.borrow().open.last().expect("the outermost function is always open");
+        assert_eq!(id.function, open, "a value reached a function marked #[shade] by another way than its parameters");
+        id.index
+    }
+
+    pub(crate) fn ty(&self, id: NodeId) -> Type {
+        self.state.borrow().functions[id.function as usize].nodes[id.index as usize].ty
+    }
+
+    pub(crate) fn op(&self, id: NodeId) -> Op {
+        self.state.borrow().functions[id.function as usize].nodes[id.index as usize].op
+    }
+
+    /// Names a node, unless it has a name, is an input or a parameter.
+    pub(crate) fn name(&self, id: NodeId, name: &str) {
+        let mut state = self.state.borrow_mut();
+        let node = &mut state.functions[id.function as usize].nodes[id.index as usize];
+        if node.name.is_none() && !matches!(node.op, Op::Parameter(_)) {
+            node.name = Some(name.to_owned());
+        }
+    }
+
+    fn leaf(&self, value: Expr<'_>) -> Leaf {
+        match value {
+            Expr::Literal(value) => Leaf::Literal(value),
+            Expr::Literal3(value) => Leaf::Literal3(value),
+            Expr::Node(..) => Leaf::Node(self.operand(value)),
+        }
+    }
+
+    /// Records a call: traces the function the first time, then refers to that instance.
+    #[track_caller]
+    pub(crate) fn call<'g>(
+        &'g self,
+        info: &'static FunctionInfo,
+        constants: String,
+        parameters: Vec<(usize, LeafInfo)>,
+        arguments: &[Expr<'g>],
+        results: Vec<LeafInfo>,
+        result_type: Option<&'static str>,
+        body: impl FnOnce(Vec<Expr<'g>>) -> Vec<Expr<'g>>,
+    ) -> Vec<Expr<'g>> {
+        let specialised = |argument: &Expr<'_>, parameter: usize| match argument {
+            Expr::Literal(value) if !info.parameters[parameter].runtime => Some(ArgumentKey::Literal(value.to_bits())),
+            Expr::Literal3(value) if !info.parameters[parameter].runtime => {
+                Some(ArgumentKey::Literal3(value.map(f64::to_bits)))
+            }
+            _ => None,
+        };
+        let keys: Vec<Option<ArgumentKey>> = arguments
+            .iter()
+            .zip(&parameters)
+            .map(|(argument, (parameter, _))| specialised(argument, *parameter))
+            .collect();
+        let instance = InstanceKey {
+            module: info.module,
+            name: info.name,
+            constants,
+            arguments: arguments
+                .iter()
+                .zip(&keys)
+                .map(|(argument, key)| key.clone().unwrap_or(ArgumentKey::Typed(argument.ty())))
+                .collect(),
+        };
+        let passed: Vec<u32> = arguments
+            .iter()
+            .zip(&keys)
+            .filter(|(_, key)| key.is_none())
+            .map(|(argument, _)| self.operand(*argument))
+            .collect();
+
+        let known = self.state.borrow().instances.get(&instance).copied();
+        let function = known.unwrap_or_else(|| {
+            let function = self.open(info);
+            let inside: Vec<Expr<'g>> = arguments
+                .iter()
+                .zip(&keys)
+                .zip(parameters)
+                .map(|((argument, key), (_, leaf))| match key {
+                    Some(_) => *argument,
+                    None => self.parameter(function, leaf, argument.ty()),
+                })
+                .collect();
+            let returned = body(inside);
+            self.close(function, returned, results, result_type);
+            self.state.borrow_mut().instances.insert(instance, function);
+            function
+        });
+        self.results(function, passed)
+    }
+
+    fn open(&self, info: &'static FunctionInfo) -> u32 {
+        let mut state = self.state.borrow_mut();
+        state.functions.push(Function::new(Some(info)));
+        let function = state.functions.len() as u32 - 1;
+        state.open.push(function);
+        function
+    }
+
+    fn parameter(&self, function: u32, leaf: LeafInfo, ty: Type) -> Expr<'_> {
+        let index = {
+            let mut state = self.state.borrow_mut();
+            let parameters = &mut state.functions[function as usize].parameters;
+            parameters.push((leaf, ty));
+            parameters.len() as u32 - 1
+        };
+        self.node(Op::Parameter(index), ty)
+    }
+
+    fn close(&self, function: u32, returned: Vec<Expr<'_>>, results: Vec<LeafInfo>, result_type: Option<&'static str>) {
+        let leaves: Vec<Leaf> = returned.into_iter().map(|value| self.leaf(value)).collect();
+        let mut state = self.state.borrow_mut();
+        let recorded = &mut state.functions[function as usize];
+        recorded.results = results.into_iter().zip(leaves).collect();
+        recorded.result_type = result_type;
+        state.open.pop();
+    }
+
+    /// The results of a call: literals and arguments that were passed through need no call.
+    #[track_caller]
+    fn results(&self, function: u32, passed: Vec<u32>) -> Vec<Expr<'_>> {
+        enum Shape {
+            Literal(f64),
+            Literal3([f64; 3]),
+            Passed(u32),
+            Computed(Type),
+        }
+        let (shapes, caller): (Vec<Shape>, u32) = {
+            let state = self.state.borrow();
+            let callee = &state.functions[function as usize];
+            let shapes = callee.results.iter().map(|(_, leaf)| match *leaf {
+                Leaf::Literal(value) => Shape::Literal(value),
+                Leaf::Literal3(value) => Shape::Literal3(value),
+                Leaf::Node(index) => match callee.nodes[index as usize].op {
+                    Op::Parameter(parameter) => Shape::Passed(passed[parameter as usize]),
+                    _ => Shape::Computed(callee.nodes[index as usize].ty),
+                },
+            });
+            (shapes.collect(), *state.open.last().expect("the outermost function is always open"))
+        };
+        let call = shapes.iter().any(|shape| matches!(shape, Shape::Computed(_))).then(|| {
+            let arguments = {
+                let mut state = self.state.borrow_mut();
+                let body = &mut state.functions[caller as usize];
+                let calls = &mut body.calls;
+                *body.interned_calls.entry((function, passed.clone())).or_insert_with(|| {
+                    calls.push(passed.clone());
+                    calls.len() as u32 - 1
+                })
+            };
+            let node = self.node(Op::Call(function, arguments), Type::Results);
+            self.operand(node)
+        });
+        shapes
+            .into_iter()
+            .enumerate()
+            .map(|(result, shape)| match shape {
+                Shape::Literal(value) => Expr::Literal(value),
+                Shape::Literal3(value) => Expr::Literal3(value),
+                Shape::Passed(index) => Expr::Node(self, NodeId { function: caller, index }),
+                Shape::Computed(ty) => {
+                    self.node(Op::Result(call.expect("a computed result has its call"), result as u32), ty)
+                }
+            })
+            .collect()
+    }
+}

@@ -1,0 +1,192 @@
+//! From a parsed TOML document to a scene.
+
+use std::path::Path;
+
+use toml::de::{DeTable, DeValue};
+
+use super::fault::{Checked, Fault};
+use super::model::{Ambient, Base, Colour, ColourQuantity, Emit, Film, Lights, Quantity, Scene, Surface, VisibilityK};
+use super::shown::shown;
+use super::suggest::did_you_mean;
+use super::table::{Table, numbers, wrong_type};
+use super::vocabulary::{METALS, VISIBILITY_NAMES, WORKFLOWS};
+
+const FILM_HELP: &str = "a film has `ior` and `thickness_nm`; for a surface without a film leave `[film]` out";
+
+const CONDUCTOR_HELP: &str = "a conductor has both parts of its index, as in `ior = 2.7` and `kappa = 3.8`";
+
+/// The scene that `document` describes; a relative path in it is joined to `directory`.
+///
+/// The shape is checked here (keys, types, lengths, which keys go together); the values are not.
+pub(super) fn read(document: &DeTable<'_>, directory: &Path) -> Checked<Scene> {
+    let top = Table::top(document)?;
+    let name = top.string("name")?.ok_or_else(missing_name)?;
+    let colour = top.table("colour")?;
+    let ambient = top.table("ambient")?;
+    let film = top.table("film")?;
+    let base = top.table("base")?;
+    let surface = top.table("surface")?;
+    let lights = top.table("lights")?;
+    let emit = top.table("emit")?;
+
+    let base = read_base(&base.ok_or_else(missing_base)?, directory)?;
+    Ok(Scene {
+        name: name.to_owned(),
+        colour: colour.map_or_else(|| Ok(Colour::default()), |table| read_colour(&table))?,
+        ambient: ambient.map_or_else(|| Ok(Ambient::default()), |table| read_ambient(&table))?,
+        film: film.map(|table| read_film(&table)).transpose()?,
+        surface: read_surface(surface.as_ref(), &base)?,
+        base,
+        lights: lights.map_or_else(|| Ok(Lights::default()), |table| read_lights(&table))?,
+        emit: emit.map_or_else(|| Ok(Emit::default()), |table| read_emit(&table))?,
+    })
+}
+
+fn missing_name() -> Box<Fault> {
+    Fault::at("name", "`name` goes here", "the scene has no name", "start the file with `name = \"soap-bubble\"`")
+}
+
+fn missing_base() -> Box<Fault> {
+    let help = format!("add a table `[base]` with one of: {}", kinds_of_base());
+    Fault::at("base", "`[base]` is missing", "the scene does not say what the surface is made of", help)
+}
+
+fn kinds_of_base() -> String {
+    format!(
+        "`ior` (a dielectric), `ior` and `kappa` (a conductor), `metal` ({}), \
+         `csv` (a file of wavelength, n, k), `workflow = \"metalness\"`",
+        METALS.join(", ")
+    )
+}
+
+fn read_colour(table: &Table<'_>) -> Checked<Colour> {
+    let default = Colour::default();
+    let string = |key, default| table.string(key).map(|given| given.map_or(default, ToOwned::to_owned));
+    Ok(Colour {
+        observer: string("observer", default.observer)?,
+        illuminant: string("illuminant", default.illuminant)?,
+        space: string("space", default.space)?,
+    })
+}
+
+fn read_ambient(table: &Table<'_>) -> Checked<Ambient> {
+    Ok(table.quantity("ior")?.map_or_else(Ambient::default, |ior| Ambient { ior }))
+}
+
+fn read_film(table: &Table<'_>) -> Checked<Film> {
+    Ok(Film {
+        ior: table.required_quantity("ior", FILM_HELP)?,
+        thickness_nm: table.required_quantity("thickness_nm", FILM_HELP)?,
+    })
+}
+
+fn read_base(table: &Table<'_>, directory: &Path) -> Checked<Base> {
+    let given: Vec<&str> = ["ior", "kappa", "metal", "csv", "workflow"].into_iter().filter(|k| table.has(k)).collect();
+    match given[..] {
+        ["ior"] => Ok(Base::Dielectric { ior: table.required_quantity("ior", CONDUCTOR_HELP)? }),
+        ["ior", "kappa"] => {
+            let ior = table.required_quantity("ior", CONDUCTOR_HELP)?;
+            match table.required_quantity("kappa", CONDUCTOR_HELP)? {
+                Quantity::Fixed(0.0) => Ok(Base::Dielectric { ior }),
+                kappa => Ok(Base::Conductor { ior, kappa }),
+            }
+        }
+        ["kappa"] => {
+            let message = "`base.kappa` is given without `base.ior`";
+            Err(Fault::at("base.kappa", "needs `ior` beside it", message, CONDUCTOR_HELP))
+        }
+        ["metal"] => Ok(Base::Metal { name: table.string("metal")?.unwrap_or_default().to_owned() }),
+        ["csv"] => read_csv(table.string("csv")?.unwrap_or_default(), directory),
+        [] => {
+            let message = "`[base]` does not say what the material is";
+            Err(Fault::at("base", "no material", message, format!("give one of: {}", kinds_of_base())))
+        }
+        [first, .., last] => {
+            let kinds = given.iter().map(|key| format!("by `{key}`")).collect::<Vec<_>>().join(", ");
+            // The two parts of one index are one way.
+            let kinds = kinds.replace("by `ior`, by `kappa`", "by `ior` and `kappa`");
+            let message = format!("`[base]` describes the material more than once: {kinds}");
+            let help = format!("keep one of these: {}", kinds_of_base());
+            let fault = Fault::at(format!("base.{last}"), "and again here", message, help).in_key();
+            Err(fault.and_at(format!("base.{first}"), "described here"))
+        }
+        // Of the five keys only `workflow` is left.
+        [_] => read_workflow(table.string("workflow")?.unwrap_or_default()),
+    }
+}
+
+fn read_csv(file: &str, directory: &Path) -> Checked<Base> {
+    if file.trim().is_empty() {
+        let help = "name a file beside the scene, as in `csv = \"nickel.csv\"`, of wavelength, n and k";
+        return Err(Fault::at("base.csv", "empty", "`base.csv` names no file", help));
+    }
+    Ok(Base::Table { path: directory.join(file) })
+}
+
+fn read_workflow(workflow: &str) -> Checked<Base> {
+    if workflow == "metalness" {
+        return Ok(Base::Metalness);
+    }
+    let help = did_you_mean(workflow, WORKFLOWS, "the only workflow is");
+    Err(Fault::at("base.workflow", "unknown workflow", format!("unknown workflow `{}`", shown(workflow)), help))
+}
+
+fn read_surface(table: Option<&Table<'_>>, base: &Base) -> Checked<Surface> {
+    let mut surface = Surface::default();
+    if *base == Base::Metalness {
+        surface.metalness = Some(Surface::DEFAULT_METALNESS);
+    }
+    let Some(table) = table else { return Ok(surface) };
+    surface.roughness = table.quantity("roughness")?.unwrap_or(surface.roughness);
+    surface.diffuse = table.boolean("diffuse")?.unwrap_or(surface.diffuse);
+    surface.base_color = table.value("base_color").map(read_base_color).transpose()?;
+    surface.metalness = table.quantity("metalness")?.or(surface.metalness);
+    surface.visibility_k = read_visibility_k(table)?.unwrap_or(surface.visibility_k);
+    Ok(surface)
+}
+
+fn read_base_color(value: &DeValue<'_>) -> Checked<ColourQuantity> {
+    let path = "surface.base_color";
+    let help = "write `base_color = [0.1, 0.5, 0.2]` (linear, each within 0 and 1), or `base_color = \"input\"`";
+    match value {
+        DeValue::String(text) if text == "input" => Ok(ColourQuantity::Input),
+        DeValue::String(text) => {
+            let message = format!("`{path}` is the string `{}`, but the only word it takes is `input`", shown(text));
+            Err(Fault::at(path, "not a colour", message, help))
+        }
+        DeValue::Array(list) => {
+            numbers(list, path, "a colour has three: red, green and blue", help).map(ColourQuantity::Fixed)
+        }
+        other => Err(wrong_type(other, path, "a colour [r, g, b] or \"input\"", help)),
+    }
+}
+
+fn read_visibility_k(table: &Table<'_>) -> Checked<Option<VisibilityK>> {
+    let key = "visibility_k";
+    let Some(DeValue::String(name)) = table.value(key) else {
+        return Ok(table.quantity(key)?.map(VisibilityK::Value));
+    };
+    match name.as_ref() {
+        "punctual" => Ok(Some(VisibilityK::Punctual)),
+        "ibl" => Ok(Some(VisibilityK::ImageBased)),
+        other => {
+            let help = did_you_mean(other, VISIBILITY_NAMES, "besides a number or a range within 0 and 1, it takes");
+            let message = format!("unknown visibility k `{}`", shown(other));
+            Err(Fault::at(table.path(key), "unknown name", message, help))
+        }
+    }
+}
+
+fn read_lights(table: &Table<'_>) -> Checked<Lights> {
+    Ok(table.boolean("punctual")?.map_or_else(Lights::default, |punctual| Lights { punctual }))
+}
+
+fn read_emit(table: &Table<'_>) -> Checked<Emit> {
+    let default = Emit::default();
+    let targets = table.strings("targets")?;
+    Ok(Emit {
+        targets: targets.map_or(default.targets, |list| list.into_iter().map(str::to_owned).collect()),
+        variant: table.string("variant")?.map_or(default.variant, str::to_owned),
+        prefix: table.string("prefix")?.map_or(default.prefix, str::to_owned),
+    })
+}

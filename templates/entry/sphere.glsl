@@ -1,0 +1,39 @@
+{%- set radiance = outputs | selectattr("name", "equalto", "radiance") | list %}
+{%- set mirrored = outputs | selectattr("name", "equalto", "mirrored") | first -%}
+{% if modern %}layout(location = 0) {% endif %}in vec2 position;
+{% if modern %}layout(location = 0) {% endif %}out vec4 fragment_color;
+
+// A room to look at the surface in: a soft box above, one to the side, and a dim floor.
+vec3 studio(vec3 direction) {
+    float ceiling = smoothstep(0.15, 0.95, direction.y) * 1.1;
+    float window = smoothstep(0.55, 0.75, dot(direction, vec3(-0.696, 0.298, 0.653))) * 1.6;
+    float floor_light = (1.0 - smoothstep(-1.0, 0.0, direction.y)) * 0.12;
+    return vec3(0.06 + ceiling + window + floor_light);
+}
+
+// Shades a sphere that fills the target; the position runs from -1 to 1, y upwards. Linear colour.
+void main() {
+    float radius_squared = dot(position, position) * 1.1;
+    if (radius_squared > 1.0) {
+        fragment_color = vec4(0.0, 0.0, 0.0, 1.0);
+        return;
+    }
+    vec3 normal = vec3(position * 1.0488, sqrt(1.0 - radius_squared));
+    vec3 view_direction = vec3(0.0, 0.0, 1.0);
+    float n_dot_v = normal.z;
+    // What varies over the surface: 0 at the top to 1 at the bottom, with a swirl.
+    float swirl = sin(7.0 * normal.x + 4.0 * sin(2.0 * normal.y + normal.x)) * 0.08;
+    float pattern = clamp(0.5 - 0.5 * normal.y + swirl, 0.0, 1.0);
+{%- for input in inputs if not input.geometry %}
+    {{ input.ty }} {{ input.name }} = {{ input.value }};
+{%- endfor %}
+
+    vec3 color = {{ mirrored.value }} * studio(reflect(-view_direction, normal));
+{%- for output in radiance %}
+    for (int light = 0; light < 2; light++) {
+        vec3 light_direction = light == 0 ? vec3(-0.452, 0.603, 0.657) : vec3(0.762, 0.127, 0.635);
+        color += {{ output.value }};
+    }
+{%- endfor %}
+    fragment_color = vec4(color, 1.0);
+}
