@@ -2,7 +2,7 @@ layout(local_size_x = {{ workgroup_size }}) in;
 layout(std430, set = 0, binding = 0) readonly buffer Inputs {
     float inputs[];
 };
-layout(std430, set = 0, binding = 1) writeonly buffer Outputs {
+layout(std430, set = 0, binding = 1) buffer Outputs {
     float outputs[];
 };
 

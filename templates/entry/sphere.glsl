@@ -22,7 +22,7 @@ void main() {
     vec3 view_direction = vec3(0.0, 0.0, 1.0);
     float n_dot_v = normal.z;
     // What varies over the surface: 0 at the top to 1 at the bottom, with a swirl.
-    float swirl = sin(7.0 * normal.x + 4.0 * sin(2.0 * normal.y + normal.x)) * 0.08;
+    float swirl = sin(4.0 * normal.x + 2.0 * sin(3.0 * normal.y + normal.x)) * 0.05;
     float pattern = clamp(0.5 - 0.5 * normal.y + swirl, 0.0, 1.0);
 {%- for input in inputs if not input.geometry %}
     {{ input.ty }} {{ input.name }} = {{ input.value }};

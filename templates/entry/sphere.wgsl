@@ -19,7 +19,7 @@ fn main(@location(0) position: vec2f) -> @location(0) vec4f {
     let view_direction = vec3f(0.0, 0.0, 1.0);
     let n_dot_v = normal.z;
     // What varies over the surface: 0 at the top to 1 at the bottom, with a swirl.
-    let swirl = sin(7.0 * normal.x + 4.0 * sin(2.0 * normal.y + normal.x)) * 0.08;
+    let swirl = sin(4.0 * normal.x + 2.0 * sin(3.0 * normal.y + normal.x)) * 0.05;
     let pattern = clamp(0.5 - 0.5 * normal.y + swirl, 0.0, 1.0);
 {%- for input in inputs if not input.geometry %}
     let {{ input.name }} = {{ input.value }};

@@ -34,10 +34,8 @@ pub(crate) const SPIRV_AS: Requirement = Requirement {
 };
 
 /// The library that finds Vulkan drivers.
-pub(crate) const VULKAN_LOADER: Requirement = Requirement {
-    name: "the Vulkan loader (libvulkan)",
-    install: "install the package `libvulkan1` (Debian, Ubuntu)",
-};
+pub(crate) const VULKAN_LOADER: Requirement =
+    Requirement { name: "the Vulkan loader (libvulkan)", install: "install the package `libvulkan1` (Debian, Ubuntu)" };
 
 /// Mesa's Vulkan driver that runs on the CPU.
 pub(crate) const LAVAPIPE: Requirement = Requirement {

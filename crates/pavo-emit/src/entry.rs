@@ -3,7 +3,8 @@
 use crate::dialect::{Dialect, Syntax};
 use crate::function::{Context, body};
 use crate::literal::number;
-use crate::text::{Names, comment, functions};
+use crate::passing::structs_passed;
+use crate::text::{Names, functions, header};
 use crate::{EmitError, Language, Options, WORKGROUP_SIZE};
 use minijinja::{Environment, context};
 use pavo_shade::{Program, Type};
@@ -64,15 +65,17 @@ fn render(
     let dialect = Dialect::of(options.language);
     let names = Names::new(program, &options.prefix);
     let fields = names.fields();
+    let passed = structs_passed(program, &names.structs);
     let printer = Context {
         dialect,
         functions: &names.functions,
         structs: &names.structs,
         fields: &fields,
+        passed: &passed,
         outer: &names.outer,
         source_lines: options.source_lines,
     };
-    let main = body(&printer, program.body());
+    let main = body(&printer, program.body(), program.functions().len());
     let mut offset = 0;
     let inputs: Vec<minijinja::Value> = program
         .inputs()
@@ -120,7 +123,7 @@ fn render(
         text.push_str(dialect.version);
         text.push('\n');
     }
-    text.push_str(&comment(&options.header));
+    text.push_str(&header(options));
     if !dialect.preamble.is_empty() {
         text.push('\n');
         text.push_str(dialect.preamble);

@@ -4,6 +4,7 @@
 use crate::dialect::{Dialect, Syntax};
 use crate::function::Local;
 use crate::literal::number;
+use crate::passing::PassedStruct;
 use pavo_shade::{BinaryOp, Comparison, Definition, Op, Type, UnaryOp};
 
 /// How tightly an expression binds.
@@ -43,6 +44,8 @@ pub struct Expressions<'a> {
     pub functions: &'a [String],
     /// The fields of the structs that called functions return, empty where they return one value.
     pub fields: &'a [Vec<String>],
+    /// The structs that each function takes in place of their fields.
+    pub passed: &'a [Vec<PassedStruct>],
 }
 
 impl Expressions<'_> {
@@ -88,9 +91,7 @@ impl Expressions<'_> {
                 let component = ["x", "y", "z"][usize::from(component)];
                 (format!("{}.{component}", self.at_least(vector, Binding::Primary)), Binding::Primary)
             }
-            Op::Call(callee, arguments) => {
-                call(&self.functions[callee as usize], &self.definition.calls[arguments as usize])
-            }
+            Op::Call(callee, arguments) => self.call(callee, &self.definition.calls[arguments as usize]),
             Op::Result(called, result) => self.result(called, result),
         }
     }
@@ -118,6 +119,23 @@ impl Expressions<'_> {
             Some(field) => (format!("{}.{field}", self.name(called)), Binding::Primary),
             None => self.computed(called),
         }
+    }
+
+    /// A call; fields that are passed together are passed as their struct.
+    fn call(&self, callee: u32, arguments: &[u32]) -> (String, Binding) {
+        let passed = &self.passed[callee as usize];
+        let mut texts = Vec::new();
+        for (index, &argument) in arguments.iter().enumerate() {
+            match passed.iter().find(|taken| taken.fields.iter().any(|(leaf, _)| *leaf == index)) {
+                None => texts.push(self.whole(argument)),
+                Some(taken) if taken.fields[0].0 == index => match self.definition.nodes[argument as usize].op {
+                    Op::Result(called, _) => texts.push(self.name(called)),
+                    _ => unreachable!("what is passed together are results of one call"),
+                },
+                Some(_) => {}
+            }
+        }
+        (format!("{}({})", self.functions[callee as usize], texts.join(", ")), Binding::Primary)
     }
 
     fn infix(&self, operator: &str, binding: Binding, a: u32, b: u32) -> (String, Binding) {

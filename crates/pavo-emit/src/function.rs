@@ -3,8 +3,9 @@
 use crate::dialect::{Dialect, Syntax};
 use crate::expression::{Expressions, literal};
 use crate::namer::Namer;
-use crate::text::Struct;
-use pavo_shade::{BinaryOp, Definition, Op, Output, ReturnValue, Type, UnaryOp};
+use crate::passing::PassedStruct;
+use crate::text::{Struct, WIDTH};
+use pavo_shade::{BinaryOp, Definition, Op, Output, ReturnValue, UnaryOp};
 
 /// What stands for a node where it is used.
 #[derive(Clone, Debug)]
@@ -29,15 +30,26 @@ pub struct Context<'a> {
     pub structs: &'a [Option<Struct>],
     /// The fields of these structs, empty where a function returns one value.
     pub fields: &'a [Vec<String>],
+    /// The structs that each function takes in place of their fields.
+    pub passed: &'a [Vec<PassedStruct>],
     /// The names that stand outside of functions.
     pub outer: &'a Namer,
     /// Whether each statement names its line of Rust.
     pub source_lines: bool,
 }
 
+/// A parameter as it is printed: a leaf, or a struct of several.
+pub struct HeadParameter {
+    pub name: String,
+    pub doc: String,
+    pub type_name: String,
+}
+
 /// A function's parameters, statements and results.
 pub struct Body {
-    /// Names of the parameters.
+    /// The parameters as they are printed.
+    pub head: Vec<HeadParameter>,
+    /// What stands for each leaf parameter inside the function.
     pub parameters: Vec<String>,
     /// The statements, a line each, without indentation.
     pub statements: Vec<String>,
@@ -45,15 +57,19 @@ pub struct Body {
     pub results: Vec<String>,
 }
 
-/// Prints the inside of a function.
-pub fn body(context: &Context<'_>, definition: &Definition) -> Body {
-    let (parameters, locals) = locals(context, definition);
+/// Prints the inside of a function of this number; that of the program itself has none.
+pub fn body(context: &Context<'_>, definition: &Definition, number: usize) -> Body {
+    let mut namer = context.outer.clone();
+    let passed = context.passed.get(number).map_or(&[][..], Vec::as_slice);
+    let (head, parameters) = head_parameters(context, definition, passed, &mut namer);
+    let locals = locals(context, definition, &parameters, namer);
     let expressions = Expressions {
         dialect: context.dialect,
         definition,
         locals: &locals,
         functions: context.functions,
         fields: context.fields,
+        passed: context.passed,
     };
     let changed: Vec<u32> = locals
         .iter()
@@ -89,7 +105,7 @@ pub fn body(context: &Context<'_>, definition: &Definition) -> Body {
         statements.push(format!("{statement}{place}"));
     }
     let results = definition.results.iter().map(|result| result_text(&expressions, result)).collect();
-    Body { parameters, statements, results }
+    Body { head, parameters, statements, results }
 }
 
 fn result_text(expressions: &Expressions<'_>, result: &Output) -> String {
@@ -134,9 +150,37 @@ fn uses(definition: &Definition) -> Vec<usize> {
     uses
 }
 
-fn locals(context: &Context<'_>, definition: &Definition) -> (Vec<String>, Vec<Local>) {
-    let mut namer = context.outer.clone();
-    let parameters: Vec<String> = definition.parameters.iter().map(|parameter| namer.fresh(&parameter.name)).collect();
+/// The parameters as they are printed, and what stands for each leaf inside.
+fn head_parameters(
+    context: &Context<'_>,
+    definition: &Definition,
+    passed: &[PassedStruct],
+    namer: &mut Namer,
+) -> (Vec<HeadParameter>, Vec<String>) {
+    let mut head = Vec::new();
+    let mut names = vec![String::new(); definition.parameters.len()];
+    for (index, parameter) in definition.parameters.iter().enumerate() {
+        let taken = passed.iter().find(|taken| taken.fields.iter().any(|(leaf, _)| *leaf == index));
+        match taken {
+            None => {
+                let type_name = context.dialect.type_name(parameter.ty).to_owned();
+                names[index] = namer.fresh(&parameter.name);
+                head.push(HeadParameter { name: names[index].clone(), doc: parameter.doc.clone(), type_name });
+            }
+            Some(taken) if taken.fields[0].0 == index => {
+                let name = namer.fresh(&taken.name);
+                for (leaf, field) in &taken.fields {
+                    names[*leaf] = format!("{name}.{field}");
+                }
+                head.push(HeadParameter { name, doc: taken.doc.clone(), type_name: taken.type_name.clone() });
+            }
+            Some(_) => {}
+        }
+    }
+    (head, names)
+}
+
+fn locals(context: &Context<'_>, definition: &Definition, parameters: &[String], mut namer: Namer) -> Vec<Local> {
     let uses = uses(definition);
     let mut locals: Vec<Local> = Vec::new();
     for (index, node) in definition.nodes.iter().enumerate() {
@@ -166,7 +210,7 @@ fn locals(context: &Context<'_>, definition: &Definition) -> (Vec<String>, Vec<L
         };
         locals.push(Local::Named { name, accumulates });
     }
-    (parameters, locals)
+    locals
 }
 
 /// The variable that this node changes in place: its first operand, if the author gave both one name and nothing else
@@ -232,14 +276,15 @@ fn wanted_name(context: &Context<'_>, definition: &Definition, locals: &[Local],
 }
 
 /// The head of a function: its name, parameters and result type, broken over lines when long.
-pub fn head(dialect: &Dialect, name: &str, parameters: &[(String, Type)], result: &str) -> String {
-    let typed: Vec<String> = parameters.iter().map(|(name, ty)| dialect.typed(dialect.type_name(*ty), name)).collect();
+pub fn head(dialect: &Dialect, name: &str, parameters: &[HeadParameter], result: &str) -> String {
+    let typed: Vec<String> =
+        parameters.iter().map(|parameter| dialect.typed(&parameter.type_name, &parameter.name)).collect();
     let (before, after) = match dialect.syntax {
         Syntax::Wgsl => (format!("fn {name}("), format!(") -> {result} {{")),
         Syntax::C => (format!("{result} {name}("), ") {".to_owned()),
     };
     let line = format!("{before}{}{after}", typed.join(", "));
-    if line.len() <= 100 {
+    if line.len() <= WIDTH {
         return line;
     }
     let comma = if dialect.syntax == Syntax::Wgsl { "," } else { "" };

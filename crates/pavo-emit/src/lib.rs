@@ -10,6 +10,7 @@ mod expression;
 mod function;
 mod literal;
 mod namer;
+mod passing;
 mod text;
 
 pub use dialect::Dialect;

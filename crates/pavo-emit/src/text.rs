@@ -4,9 +4,11 @@ use crate::Options;
 use crate::dialect::{Dialect, Syntax};
 use crate::function::{self, Body, Context};
 use crate::namer::Namer;
+use crate::passing::structs_passed;
 use pavo_shade::{Definition, Program, Type};
 
-const WIDTH: usize = 100;
+/// The width that lines are filled to.
+pub const WIDTH: usize = 100;
 
 /// The names that a program has outside of its functions.
 pub struct Names {
@@ -67,7 +69,7 @@ impl Names {
 pub fn library(program: &Program, options: &Options) -> String {
     let dialect = Dialect::of(options.language);
     let names = Names::new(program, &options.prefix);
-    let mut text = comment(&options.header);
+    let mut text = header(options);
     if !dialect.preamble.is_empty() {
         text.push('\n');
         text.push_str(dialect.preamble);
@@ -80,11 +82,13 @@ pub fn library(program: &Program, options: &Options) -> String {
 pub fn functions(program: &Program, options: &Options, names: &Names) -> String {
     let dialect = Dialect::of(options.language);
     let fields = names.fields();
+    let passed = structs_passed(program, &names.structs);
     let context = Context {
         dialect,
         functions: &names.functions,
         structs: &names.structs,
         fields: &fields,
+        passed: &passed,
         outer: &names.outer,
         source_lines: options.source_lines,
     };
@@ -108,7 +112,7 @@ fn structure(dialect: &Dialect, made: &Struct) -> String {
     let mut text = format!("struct {} {{\n", made.name);
     for (name, ty, doc) in &made.fields {
         if !doc.is_empty() {
-            text.push_str(&indent(&comment(&[doc.replace('`', "")])));
+            text.push_str(&indent(&comment(&Paragraph::of_doc(std::slice::from_ref(doc)))));
         }
         let end = if dialect.syntax == Syntax::Wgsl { "," } else { ";" };
         text.push_str(&format!("    {}{end}\n", dialect.typed(dialect.type_name(*ty), name)));
@@ -118,67 +122,115 @@ fn structure(dialect: &Dialect, made: &Struct) -> String {
 }
 
 fn function(context: &Context<'_>, definition: &Definition, index: usize) -> String {
-    let Body { parameters, statements, results } = function::body(context, definition);
-    let mut doc: Vec<String> = definition.doc.iter().map(|line| line.replace('`', "")).collect();
-    let documented: Vec<String> = definition
-        .parameters
+    let Body { head, statements, results, .. } = function::body(context, definition, index);
+    let mut doc = Paragraph::of_doc(&definition.doc);
+    let documented: Vec<Paragraph> = head
         .iter()
-        .zip(&parameters)
-        .filter(|(parameter, _)| !parameter.doc.is_empty())
-        .map(|(parameter, name)| format!("{name}: {}", lower_first(&parameter.doc.replace('`', ""))))
+        .filter(|parameter| !parameter.doc.is_empty())
+        .map(|parameter| format!("{}: {}", parameter.name, lower_first(&parameter.doc.replace('`', ""))))
+        .map(Paragraph::entry)
         .collect();
     if !doc.is_empty() && !documented.is_empty() {
-        doc.push(String::new());
+        doc.push(Paragraph { text: String::new(), hanging: "" });
     }
     doc.extend(documented);
-    let typed: Vec<(String, Type)> =
-        parameters.into_iter().zip(definition.parameters.iter().map(|parameter| parameter.ty)).collect();
     let (result, value) = match &context.structs[index] {
         Some(made) => (made.name.clone(), construct(&made.name, &results)),
         None => (context.dialect.type_name(definition.results[0].ty).to_owned(), results[0].clone()),
     };
     let mut text = comment(&doc);
-    text.push_str(&function::head(context.dialect, &context.functions[index], &typed, &result));
+    text.push_str(&function::head(context.dialect, &context.functions[index], &head, &result));
     text.push('\n');
     for statement in statements.iter().chain([&format!("return {value};")]) {
-        text.push_str(&indent(statement));
+        text.push_str(&indent(&broken(statement)));
     }
     text.push_str("}\n");
     text
 }
 
-/// A struct of its fields, over several lines when long.
-fn construct(name: &str, fields: &[String]) -> String {
-    let line = format!("{name}({})", fields.join(", "));
-    if line.len() < WIDTH { line } else { format!("{name}(\n    {}\n)", fields.join(",\n    ")) }
-}
-
-/// Lines as a comment. Paragraphs, which empty lines end, are filled to the width of the text.
-pub fn comment(lines: &[String]) -> String {
-    let mut text = String::new();
-    let mut pending = String::new();
-    let flush = |pending: &mut String, text: &mut String| {
-        if !pending.is_empty() {
-            text.push_str(&format!("// {pending}\n"));
-            pending.clear();
+/// A long statement that is one call, with an argument on each line.
+fn broken(statement: &str) -> String {
+    if statement.len() + 4 <= WIDTH || !statement.ends_with(");") {
+        return statement.to_owned();
+    }
+    let Some(open) = statement.find('(') else { return statement.to_owned() };
+    let inside = &statement[open + 1..statement.len() - 2];
+    let mut depth = 0_i32;
+    let mut arguments = vec![String::new()];
+    for character in inside.chars() {
+        depth += match character {
+            '(' | '[' => 1,
+            ')' | ']' => -1,
+            _ => 0,
+        };
+        if depth < 0 {
+            return statement.to_owned();
         }
-    };
-    for line in lines {
-        flush(&mut pending, &mut text);
-        if line.is_empty() {
-            text.push_str("//\n");
-            continue;
-        }
-        for word in line.split_inclusive(' ') {
-            if pending.len() + word.trim_end().len() > WIDTH - 3 {
-                text.push_str(&format!("// {}\n", pending.trim_end()));
-                pending = "    ".to_owned();
-            }
-            pending.push_str(word);
+        if depth == 0 && character == ',' {
+            arguments.push(String::new());
+        } else if let Some(argument) = arguments.last_mut() {
+            argument.push(character);
         }
     }
-    flush(&mut pending, &mut text);
+    let arguments: Vec<&str> = arguments.iter().map(|argument| argument.trim()).collect();
+    format!("{}(\n    {}\n);", &statement[..open], arguments.join(",\n    "))
+}
+
+/// A struct of its fields.
+fn construct(name: &str, fields: &[String]) -> String {
+    format!("{name}({})", fields.join(", "))
+}
+
+/// A paragraph of a comment.
+pub struct Paragraph {
+    text: String,
+    /// What its lines after the first begin with.
+    hanging: &'static str,
+}
+
+impl Paragraph {
+    /// An entry of a list: its further lines stand further in.
+    pub fn entry(text: String) -> Self {
+        Self { text, hanging: "    " }
+    }
+
+    /// The paragraphs of a doc comment: lines up to an empty one belong together. Marks of the documentation are left
+    /// out.
+    pub fn of_doc(lines: &[String]) -> Vec<Self> {
+        let mut paragraphs: Vec<Self> = Vec::new();
+        for block in lines.split(|line| line.is_empty()).filter(|block| !block.is_empty()) {
+            if !paragraphs.is_empty() {
+                paragraphs.push(Self { text: String::new(), hanging: "" });
+            }
+            paragraphs.push(Self { text: block.join(" ").replace('`', ""), hanging: "" });
+        }
+        paragraphs
+    }
+}
+
+/// Paragraphs as a comment, filled to the width of the text; an empty one is an empty line.
+pub fn comment(paragraphs: &[Paragraph]) -> String {
+    let mut text = String::new();
+    for paragraph in paragraphs {
+        let mut line = String::from("//");
+        for word in paragraph.text.split_whitespace() {
+            if line.len() + 1 + word.len() > WIDTH {
+                text.push_str(&line);
+                text.push('\n');
+                line = format!("//{}", paragraph.hanging);
+            }
+            line.push(' ');
+            line.push_str(word);
+        }
+        text.push_str(&line);
+        text.push('\n');
+    }
     text
+}
+
+/// The comment at the top of a text.
+pub fn header(options: &Options) -> String {
+    comment(&options.header.iter().cloned().map(Paragraph::entry).collect::<Vec<_>>())
 }
 
 /// Each line four columns further in, with a line end.

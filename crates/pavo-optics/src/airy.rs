@@ -45,22 +45,20 @@ pub fn airy_terms<R: Real>(
     let boundary_sum = q1 + q3.re;
     let ambient_difference = q1 * q1 - q2_squared;
     let base_difference = q3.re * q3.re + q3.im * q3.im - q2_squared;
-    let terms = AiryTerms {
-        transmitted: 4.0 * q1 * q2_squared * q3.re,
-        offset: q2_squared * (boundary_sum * boundary_sum + q3.im * q3.im),
-        contrast: ambient_difference * base_difference,
-        absorption: 2.0 * q2 * q3.im * ambient_difference,
-    };
+    let transmitted = 4.0 * q1 * q2_squared * q3.re;
+    let offset = q2_squared * (boundary_sum * boundary_sum + q3.im * q3.im);
+    let contrast = ambient_difference * base_difference;
+    let absorption = 2.0 * q2 * q3.im * ambient_difference;
     if !total_reflection {
-        return terms;
+        return AiryTerms { transmitted, offset, contrast, absorption };
     }
     // With q2^2 < 0 numerator and denominator are both negative: turn both, so that the guard is the same.
     let sign = R::select(q2_squared.less_than(R::lit(0.0)), R::lit(-1.0), R::lit(1.0));
     AiryTerms {
-        transmitted: terms.transmitted * sign,
-        offset: terms.offset * sign,
-        contrast: terms.contrast * sign,
-        absorption: terms.absorption * sign,
+        transmitted: transmitted * sign,
+        offset: offset * sign,
+        contrast: contrast * sign,
+        absorption: absorption * sign,
     }
 }
 

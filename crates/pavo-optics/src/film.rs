@@ -2,7 +2,7 @@
 
 use crate::airy::{AiryTerms, airy_reflectance, airy_terms};
 use crate::series::{GaussianFit, series_reflectance};
-use crate::spectral::{SpectralNode, spectral_reflectance};
+use crate::spectral::{SpectralNode, dispersive_reflectance, spectral_reflectance};
 use crate::wave::{NormalComponent, normal_component_absorbing, normal_component_squared, p_component_absorbing};
 use core::f64::consts::PI;
 use pavo_shade::{Lanes, Real, Scalar, Value, Vector, shade};
@@ -51,8 +51,8 @@ pub struct Film {
 }
 
 /// The wave in the film.
-#[shade]
-pub struct FilmWave<R: Real> {
+#[derive(Clone, Copy, Debug)]
+pub struct FilmWave<R> {
     /// Square of the normal wave vector component, negative under total internal reflection.
     pub q2_squared: R,
     /// The modulus of the normal wave vector component.
@@ -60,7 +60,7 @@ pub struct FilmWave<R: Real> {
 }
 
 /// The terms of Airy's closed form for both polarisations.
-#[shade(flat)]
+#[derive(Clone, Copy, Debug)]
 pub struct FilmTerms<R: Real> {
     /// Terms for s polarisation.
     pub s: AiryTerms<R>,
@@ -68,31 +68,8 @@ pub struct FilmTerms<R: Real> {
     pub p: AiryTerms<R>,
 }
 
-/// The wave in the film. Its normal component is kept away from 0, where the phase vanishes with it.
-#[shade]
-pub fn film_wave<R: Real>(
-    /// Whether the film may reflect totally.
-    #[constant]
-    total_reflection: bool,
-    /// Cosine of the angle of incidence in the ambient medium, [0, 1].
-    cos_theta1: R,
-    /// Refractive index of the ambient medium, > 0.
-    ambient_ior: R,
-    /// Refractive index of the film, > 0.
-    film_ior: R,
-) -> FilmWave<R> {
-    let smallest = R::lit(1e-12);
-    let square = normal_component_squared(cos_theta1, ambient_ior, film_ior);
-    if !total_reflection {
-        let q2_squared = square.max(smallest);
-        return FilmWave { q2_squared, q2: q2_squared.sqrt() };
-    }
-    let q2_squared = R::select(square.abs().less_than(smallest), smallest, square);
-    FilmWave { q2_squared, q2: q2_squared.abs().sqrt() }
-}
-
 /// Normal wave vector components in the base for both polarisations (for p over the permittivity).
-#[shade(flat)]
+#[derive(Clone, Copy, Debug)]
 pub struct BaseWave<R: Real> {
     /// For s polarisation.
     pub s: NormalComponent<R>,
@@ -100,17 +77,30 @@ pub struct BaseWave<R: Real> {
     pub p: NormalComponent<R>,
 }
 
+/// The wave in the film. Its normal component is kept away from 0, where the phase vanishes with it.
+pub fn film_wave<R: Real>(total_reflection: bool, cos_theta1: R, ambient_ior: R, film_ior: R) -> FilmWave<R> {
+    let smallest = R::lit(1e-12);
+    let square = normal_component_squared(cos_theta1, ambient_ior, film_ior);
+    if !total_reflection {
+        let q2_squared = square.max(smallest).named("q2_squared");
+        return FilmWave { q2_squared, q2: q2_squared.sqrt().named("q2") };
+    }
+    let q2_squared = R::select(square.abs().less_than(smallest), smallest, square).named("q2_squared");
+    FilmWave { q2_squared, q2: q2_squared.abs().sqrt().named("q2") }
+}
+
 /// Normal wave vector components in the base.
 pub fn base_wave<R: Real>(base: BaseKind, cos_theta1: R, ambient_ior: R, base_ior: R, base_kappa: R) -> BaseWave<R> {
     let zero = R::lit(0.0);
     match base {
         BaseKind::Conductor => {
-            let q3 = normal_component_absorbing(cos_theta1, ambient_ior, base_ior, base_kappa);
-            BaseWave { s: q3, p: p_component_absorbing(q3, base_ior, base_kappa) }
+            let q3 = normal_component_absorbing(cos_theta1, ambient_ior, base_ior, base_kappa).named("q3");
+            BaseWave { s: q3, p: p_component_absorbing(q3, base_ior, base_kappa).named("q3_p") }
         }
         BaseKind::Dielectric { total_reflection } => {
             let square = normal_component_squared(cos_theta1, ambient_ior, base_ior);
-            let re = square.max(zero).sqrt().named("q3");
+            // Without total reflection the square is a sum of two that are not negative.
+            let re = if total_reflection { square.max(zero) } else { square }.sqrt().named("q3");
             let im = if total_reflection { (-square).max(zero).sqrt().named("q3_decay") } else { zero };
             let scale = R::lit(1.0) / (base_ior * base_ior);
             BaseWave { s: NormalComponent { re, im }, p: NormalComponent { re: re * scale, im: im * scale } }
@@ -119,37 +109,57 @@ pub fn base_wave<R: Real>(base: BaseKind, cos_theta1: R, ambient_ior: R, base_io
 }
 
 /// Terms of Airy's closed form for s and p polarisation of the film on its base.
-#[shade]
 pub fn film_terms<S: Scalar, R: Lanes<S> + Value<Leaf = S::Leaf>>(
-    /// Whether the film may reflect totally.
-    #[constant]
     total_reflection: bool,
-    /// The kind of base.
-    #[constant]
-    base: BaseKind,
-    /// Cosine of the angle of incidence in the ambient medium, [0, 1].
-    cos_theta1: S,
-    /// Refractive index of the ambient medium, > 0.
-    ambient_ior: S,
-    /// Refractive index of the film, > 0.
-    film_ior: S,
-    /// Wave in the film.
+    media: Media<S>,
     wave: FilmWave<S>,
-    /// Refractive index of the base, > 0.
-    base_ior: R,
-    /// Extinction coefficient of the base, >= 0.
-    base_kappa: R,
+    base: BaseWave<R>,
 ) -> FilmTerms<R> {
-    let q1 = ambient_ior * cos_theta1;
-    let q3 = base_wave(base, R::from_scalar(cos_theta1), R::from_scalar(ambient_ior), base_ior, base_kappa);
-    let q1_p = q1 * (1.0 / (ambient_ior * ambient_ior));
-    let scale = 1.0 / (film_ior * film_ior);
-    let q2_p = wave.q2 * scale;
-    let q2_p_squared = wave.q2_squared * scale * scale;
     let lanes = R::from_scalar;
+    let scale = media.film_p_scale();
+    let (q2_p, q2_p_squared) = (wave.q2 * scale, wave.q2_squared * (scale * scale));
+    let [q1, q1_p] = [media.q1(), media.q1_p()];
     FilmTerms {
-        s: airy_terms(total_reflection, lanes(q1), lanes(wave.q2), lanes(wave.q2_squared), q3.s),
-        p: airy_terms(total_reflection, lanes(q1_p), lanes(q2_p), lanes(q2_p_squared), q3.p),
+        s: airy_terms(total_reflection, lanes(q1), lanes(wave.q2), lanes(wave.q2_squared), base.s).named("s"),
+        p: airy_terms(total_reflection, lanes(q1_p), lanes(q2_p), lanes(q2_p_squared), base.p).named("p"),
+    }
+}
+
+/// The angle and the indices above the base.
+#[derive(Clone, Copy, Debug)]
+pub struct Media<S> {
+    /// Cosine of the angle of incidence in the ambient medium, [0, 1].
+    pub cos_theta1: S,
+    /// Refractive index of the ambient medium, > 0.
+    pub ambient_ior: S,
+    /// Refractive index of the film, > 0.
+    pub film_ior: S,
+}
+
+impl<S: Scalar> Media<S> {
+    /// Normal wave vector component in the ambient medium.
+    pub fn q1(self) -> S {
+        (self.ambient_ior * self.cos_theta1).named("q1")
+    }
+
+    /// The same for p polarisation, over the permittivity.
+    pub fn q1_p(self) -> S {
+        self.q1() * (S::lit(1.0) / (self.ambient_ior * self.ambient_ior))
+    }
+
+    /// What makes a component in the film one for p polarisation: 1 over the permittivity.
+    pub fn film_p_scale(self) -> S {
+        S::lit(1.0) / (self.film_ior * self.film_ior)
+    }
+
+    /// The wave in the film.
+    pub fn wave(self, total_reflection: bool) -> FilmWave<S> {
+        film_wave(total_reflection, self.cos_theta1, self.ambient_ior, self.film_ior)
+    }
+
+    /// The wave in a base.
+    pub fn base_wave<R: Lanes<S>>(self, base: BaseKind, base_ior: R, base_kappa: R) -> BaseWave<R> {
+        base_wave(base, R::from_scalar(self.cos_theta1), R::from_scalar(self.ambient_ior), base_ior, base_kappa)
     }
 }
 
@@ -174,23 +184,20 @@ pub fn film_reflectance<S: Scalar, R: Lanes<S> + Value<Leaf = S::Leaf>>(
     /// Extinction coefficient of the base, >= 0.
     base_kappa: R,
 ) -> S::Vec3 {
-    let wave = film_wave(film.total_reflection, cos_theta1, ambient_ior, film_ior);
+    let media = Media { cos_theta1, ambient_ior, film_ior };
+    let wave = media.wave(film.total_reflection);
     let opd_nm = 2.0 * thickness_nm * wave.q2;
     if let Method::Spectral { nodes } = &film.method
         && nodes.iter().any(|node| node.base.is_some())
     {
-        return crate::spectral::dispersive_reflectance(film, nodes, cos_theta1, ambient_ior, film_ior, wave, opd_nm);
+        return dispersive_reflectance(film, nodes, media, opd_nm);
     }
-    let terms =
-        film_terms(film.total_reflection, film.base, cos_theta1, ambient_ior, film_ior, wave, base_ior, base_kappa);
+    let base = media.base_wave(film.base, base_ior, base_kappa);
+    let terms = film_terms(film.total_reflection, media, wave, base);
     match &film.method {
         Method::Spectral { nodes } => spectral_reflectance::<S, R>(film.total_reflection, nodes, terms, wave, opd_nm),
         Method::Series { order, fit } => {
-            let q1 = ambient_ior * cos_theta1;
-            let q3 =
-                base_wave(film.base, R::from_scalar(cos_theta1), R::from_scalar(ambient_ior), base_ior, base_kappa);
-            let permittivity = [ambient_ior * ambient_ior, film_ior * film_ior];
-            let series = series_reflectance::<S, R>(*order, fit, terms, q1, wave.q2, q3, permittivity, opd_nm);
+            let series = series_reflectance::<S, R>(*order, fit, terms, media, wave.q2, base, opd_nm);
             if !film.total_reflection {
                 return series;
             }

@@ -64,7 +64,7 @@ pub fn fresnel_conductor<R: Real>(
 
 /// Schlick's approximation of the Fresnel reflectance, by colour channel.
 ///
-/// Source: Schlick 1994, equation 15; the seed's `f_schlick(c_spec, l, h)`.
+/// Source: Schlick 1994, equation 15.
 #[shade]
 pub fn fresnel_schlick<S: Scalar>(
     /// Cosine of the angle between half vector and light, [0, 1].

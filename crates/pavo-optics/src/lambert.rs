@@ -5,7 +5,7 @@ use pavo_shade::{Scalar, shade};
 
 /// Lambert's diffuse BRDF, the same in all directions.
 ///
-/// Source: the seed's `f_lambert = c_diff / pi`.
+/// Source: Lambert 1760: `f = c_diff / pi`.
 #[shade]
 pub fn lambert<S: Scalar>(
     /// Diffuse colour, linear, [0, 1].

@@ -25,4 +25,4 @@ pub mod wave;
 pub use film::{BaseKind, Film, Method};
 pub use series::{GaussianFit, GaussianTerm};
 pub use spectral::SpectralNode;
-pub use surface::{Finish, Geometry, Layers, Light, Surface, VisibilityK};
+pub use surface::{Directions, Finish, Geometry, Layers, Light, Specular, Surface, VisibilityK};

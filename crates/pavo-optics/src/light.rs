@@ -5,7 +5,7 @@ use pavo_shade::{Scalar, shade};
 
 /// Radiance that a punctual light leaves towards the view.
 ///
-/// Source: the seed's `L_o(v) = pi f(l_c, v) (x) c_light (n.l_c)`, `c_light = intensity * color`.
+/// Source: the reflection equation for one direction, `L_o(v) = pi f(l, v) c_light (n.l)`, `c_light = intensity * color`.
 #[shade]
 pub fn punctual_light<S: Scalar>(
     /// The BRDF for this light, 1/sr, by channel.

@@ -14,7 +14,7 @@ pub struct Colors<V: Real> {
 /// Diffuse and specular colour of the metalness workflow. At 0 the base colour is diffuse and 4 % are reflected; at 1
 /// nothing is diffuse and the base colour is reflected.
 ///
-/// Source: the seed's `c_diff` and `c_spec`; between its two ends, linear.
+/// Source: Burley 2012, Karis 2013: the metalness workflow; between its two ends, linear.
 #[shade]
 pub fn metalness_colors<S: Scalar>(
     /// Base colour, linear, [0, 1].

@@ -6,7 +6,7 @@ use pavo_shade::{Real, shade};
 /// GGX distribution of the microfacet normals, per steradian. The difference `1 - (n.h)^2` is taken as a product, which
 /// keeps smooth surfaces exact.
 ///
-/// Source: Walter et al. 2007, equation 33; the seed's `D(h) = alpha^2 / (pi ((n.h)^2 (alpha^2 - 1) + 1)^2)`.
+/// Source: Walter et al. 2007, equation 33, as `D(h) = alpha^2 / (pi ((n.h)^2 (alpha^2 - 1) + 1)^2)`.
 #[shade]
 pub fn ggx_distribution<R: Real>(
     /// Cosine of the angle between normal and half vector, [0, 1].
@@ -22,7 +22,7 @@ pub fn ggx_distribution<R: Real>(
 
 /// Smith's shadowing for one direction in Schlick's form, over the cosine: `G1(v) / (n.v) = 1 / ((n.v)(1 - k) + k)`.
 ///
-/// Source: Schlick 1994, equation 19; the seed's `G1`.
+/// Source: Schlick 1994, equation 19.
 #[shade]
 pub fn smith_schlick_over_cosine<R: Real>(
     /// Cosine of the angle between normal and direction, [0, 1].
@@ -58,7 +58,7 @@ pub fn smith_schlick_k_image_based<R: Real>(
 
 /// Specular reflection of the microfacets without the Fresnel factor: `G D / (4 (n.l)(n.v))`.
 ///
-/// Source: Cook and Torrance 1982; the seed's `f_cook-torrance` with `G = G1(l) G1(v)`.
+/// Source: Cook and Torrance 1982, with `G = G1(l) G1(v)` of Smith.
 #[shade]
 pub fn cook_torrance<R: Real>(
     /// Cosine of the angle between normal and light, [0, 1].

@@ -9,7 +9,7 @@
 //! wave number, `S_j(0) = 1`. It is the main result of Belcour and Barla 2017 with `C_0 = 1 - Q`, `C_m = -Q b^m`.
 
 use crate::airy::AiryTerms;
-use crate::film::{BaseWave, FilmTerms};
+use crate::film::{BaseWave, FilmTerms, Media};
 use crate::wave::NormalComponent;
 use pavo_shade::{Lanes, Real, Scalar, Value, Vector, shade};
 
@@ -96,8 +96,8 @@ pub fn sensitivity<S: Scalar>(
     let mut im = S::Vec3::lit(0.0);
     for term in &fit.terms {
         let weight = S::Vec3::lit3(term.weight);
-        let gaussian = (opd_squared * S::lit(-term.decay)).exp();
-        let phase = opd_nm * S::lit(term.angular_wave_number);
+        let gaussian = (S::lit(-term.decay) * opd_squared).exp();
+        let phase = S::lit(term.angular_wave_number) * opd_nm;
         re = re + weight * (gaussian * phase.cos());
         im = im + weight * (gaussian * phase.sin());
     }
@@ -109,16 +109,15 @@ pub fn series_reflectance<S: Scalar, R: Lanes<S> + Value<Leaf = S::Leaf>>(
     order: usize,
     fit: &GaussianFit,
     terms: FilmTerms<R>,
-    q1: S,
+    media: Media<S>,
     q2: S,
-    q3: BaseWave<R>,
-    permittivity: [S; 2],
+    base: BaseWave<R>,
     opd_nm: S,
 ) -> S::Vec3 {
     let lanes = R::from_scalar;
-    let [ambient, film] = permittivity.map(|permittivity| S::lit(1.0) / permittivity);
-    let s = series_terms(terms.s, lanes(q1), lanes(q2), q3.s).named("series_s");
-    let p = series_terms(terms.p, lanes(q1 * ambient), lanes(q2 * film), q3.p).named("series_p");
+    let q2_p = q2 * media.film_p_scale();
+    let s = series_terms(terms.s, lanes(media.q1()), lanes(q2), base.s).named("series_s");
+    let p = series_terms(terms.p, lanes(media.q1_p()), lanes(q2_p), base.p).named("series_p");
     let average = R::lit(1.0) - (s.transmittance + p.transmittance) * R::lit(0.5);
     let mut color = average.into_vec3();
     let mut power_s = [s.transmittance * s.round_trip, s.transmittance * s.round_trip_im];
@@ -134,7 +133,7 @@ pub fn series_reflectance<S: Scalar, R: Lanes<S> + Value<Leaf = S::Leaf>>(
         power_p = [power_p_re.named("order_p"), power_p_im.named("order_p_im")];
         let re = power_s[0] + power_p[0];
         let im = power_s[1] + power_p[1];
-        let transform = sensitivity(fit, opd_nm * S::lit(m as f64)).named("sensitivity");
+        let transform = sensitivity(fit, S::lit(m as f64) * opd_nm).named("sensitivity");
         let interference = transform.re * re.into_vec3() - transform.im * im.into_vec3();
         color = (color - interference).named("color");
     }

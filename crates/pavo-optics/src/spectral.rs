@@ -1,7 +1,7 @@
 //! The reflectance at several wavelengths, weighted: a plain quadrature over the spectrum.
 
 use crate::airy::airy_reflectance;
-use crate::film::{Film, FilmTerms, FilmWave, film_terms};
+use crate::film::{BaseKind, Film, FilmTerms, FilmWave, Media, film_terms};
 use core::f64::consts::PI;
 use pavo_shade::{Lanes, Real, Scalar, Value, Vector, shade};
 
@@ -39,38 +39,41 @@ pub fn spectral_reflectance<S: Scalar, R: Lanes<S> + Value<Leaf = S::Leaf>>(
 }
 
 /// Reflectance of a film on a base whose index depends on the wavelength.
-pub fn dispersive_reflectance<S: Scalar>(
-    film: &Film,
-    nodes: &[SpectralNode],
-    cos_theta1: S,
-    ambient_ior: S,
-    film_ior: S,
-    wave: FilmWave<S>,
-    opd_nm: S,
-) -> S::Vec3 {
+pub fn dispersive_reflectance<S: Scalar>(film: &Film, nodes: &[SpectralNode], media: Media<S>, opd_nm: S) -> S::Vec3 {
+    let Media { cos_theta1, ambient_ior, film_ior } = media;
     weighted(nodes, |node| {
         let (ior, kappa) = node.base.unwrap_or((1.0, 0.0));
-        let half_wave_number = S::lit(node.half_wave_number());
+        let phase = opd_nm * S::lit(node.half_wave_number());
         let (base_ior, base_kappa) = (S::lit(ior), S::lit(kappa));
-        let phase = opd_nm * half_wave_number;
-        S::Vec3::splat(node_reflectance(film, cos_theta1, ambient_ior, film_ior, wave, phase, base_ior, base_kappa))
+        let (total_reflection, base) = (film.total_reflection, film.base);
+        S::Vec3::splat(node_reflectance(
+            total_reflection,
+            base,
+            cos_theta1,
+            ambient_ior,
+            film_ior,
+            phase,
+            base_ior,
+            base_kappa,
+        ))
     })
 }
 
 /// Reflectance of the film at one wavelength, with the index that the base has there.
 #[shade]
 pub fn node_reflectance<S: Scalar>(
-    /// What is known of the film.
+    /// Whether the film may reflect totally.
     #[constant]
-    film: &Film,
+    total_reflection: bool,
+    /// The kind of base.
+    #[constant]
+    base: BaseKind,
     /// Cosine of the angle of incidence in the ambient medium, [0, 1].
     cos_theta1: S,
     /// Refractive index of the ambient medium, > 0.
     ambient_ior: S,
     /// Refractive index of the film, > 0.
     film_ior: S,
-    /// Wave in the film.
-    wave: FilmWave<S>,
     /// Half the phase of one round trip in the film, radians.
     phase: S,
     /// Refractive index of the base at this wavelength, > 0.
@@ -80,9 +83,10 @@ pub fn node_reflectance<S: Scalar>(
     #[runtime]
     base_kappa: S,
 ) -> S {
-    let terms =
-        film_terms(film.total_reflection, film.base, cos_theta1, ambient_ior, film_ior, wave, base_ior, base_kappa);
-    airy_reflectance(film.total_reflection, terms.s, terms.p, wave.q2_squared, phase)
+    let media = Media { cos_theta1, ambient_ior, film_ior };
+    let wave = media.wave(total_reflection);
+    let terms = film_terms(total_reflection, media, wave, media.base_wave(base, base_ior, base_kappa));
+    airy_reflectance(total_reflection, terms.s, terms.p, wave.q2_squared, phase)
 }
 
 /// The sum of a reflectance over the nodes, each times its weight.

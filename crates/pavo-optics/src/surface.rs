@@ -7,7 +7,7 @@ use crate::light::punctual_light;
 use crate::metalness::metalness_colors;
 use crate::microfacet::{cook_torrance, smith_schlick_k_image_based, smith_schlick_k_punctual};
 use crate::spectral::{SpectralNode, weighted};
-use pavo_shade::{Real, Scalar, Vector, shade};
+use pavo_shade::{Real, Scalar, Value, Vector, shade};
 
 /// How the parameter k of Smith-Schlick is chosen.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -187,8 +187,6 @@ pub fn bare_node_reflectance<R: Real>(
 
 /// BRDF of the surface, 1/sr: microfacets that mirror as the surface does, over a diffuse part of what they let
 /// through.
-///
-/// Source: the seed's energy split, diffuse * (1 - F) + specular, with F at the half vector.
 #[shade]
 pub fn surface_brdf<S: Scalar>(
     /// What is known of the surface.
@@ -201,28 +199,41 @@ pub fn surface_brdf<S: Scalar>(
     /// Roughness and colours.
     finish: Finish<S>,
 ) -> S::Vec3 {
+    let reflectance =
+        surface_reflectance::<S>(surface, geometry.cos_theta1, layers, finish.base_color, finish.metalness);
+    brdf_of_reflectance(surface, reflectance, geometry, finish)
+}
+
+/// BRDF of a surface that mirrors this much, 1/sr: `diffuse (1 - F) + specular`.
+///
+/// Source: Lenzi 2020, the energy split with F at the half vector.
+pub fn brdf_of_reflectance<S: Scalar>(
+    surface: &Surface,
+    reflectance: S::Vec3,
+    geometry: Geometry<S>,
+    finish: Finish<S>,
+) -> S::Vec3 {
     let Finish { roughness, base_color, metalness, visibility_k } = finish;
     let k = match surface.visibility_k {
         VisibilityK::Punctual => smith_schlick_k_punctual(roughness),
         VisibilityK::ImageBased => smith_schlick_k_image_based(roughness),
         VisibilityK::Given => visibility_k,
     };
-    let alpha = roughness * roughness;
-    let reflectance = surface_reflectance::<S>(surface, geometry.cos_theta1, layers, base_color, metalness);
-    let microfacets = cook_torrance(geometry.n_dot_l, geometry.n_dot_v, geometry.n_dot_h, alpha, k);
-    let specular = reflectance * microfacets;
+    let alpha = (roughness * roughness).named("alpha");
+    let Geometry { n_dot_l, n_dot_v, n_dot_h, .. } = geometry;
+    let specular = reflectance * cook_torrance(n_dot_l, n_dot_v, n_dot_h, alpha, k);
     if !surface.diffuse {
         return specular;
     }
     let is_metalness = surface.specular.is_metalness();
     let diffuse_color = if is_metalness { metalness_colors::<S>(base_color, metalness).diffuse } else { base_color };
-    let diffuse = lambert::<S>(diffuse_color);
-    diffuse * (S::Vec3::lit(1.0) - reflectance) + specular
+    let diffuse = lambert::<S>(diffuse_color).named("diffuse");
+    diffuse * (S::Vec3::lit(1.0) - reflectance) + specular.named("specular")
 }
 
 /// Radiance that a punctual light leaves towards the view.
 ///
-/// Source: the seed's `L_o(v) = pi f(l_c, v) (x) c_light (n.l_c)`.
+/// Source: the reflection equation for one direction, `L_o(v) = pi f(l, v) c_light (n.l)`.
 #[shade]
 pub fn surface_radiance<S: Scalar>(
     /// What is known of the surface.
@@ -243,7 +254,7 @@ pub fn surface_radiance<S: Scalar>(
 
 /// Radiance that a punctual light leaves towards the view, from directions. Light or view below the horizon give none.
 ///
-/// Source: the seed's `L_o(v)`, with the half vector between light and view.
+/// Source: the reflection equation for one direction, with the half vector between light and view.
 #[shade]
 pub fn shade_surface<S: Scalar>(
     /// What is known of the surface.

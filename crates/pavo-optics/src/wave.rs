@@ -12,18 +12,11 @@ pub struct NormalComponent<R: Real> {
 }
 
 /// Square of the normal wave vector component in a dielectric, `n^2 - ambient_ior^2 sin^2(theta1)`, in a form that
-/// does not cancel near the critical angle. Negative under total internal reflection.
+/// does not cancel near the critical angle: `(n - ambient_ior)(n + ambient_ior) + ambient_ior^2 cos^2(theta1)`.
+/// Negative under total internal reflection. Indices > 0, cosine within [0, 1].
 ///
-/// Source: Snell's law; the seed's `n cos(theta_2)`, squared.
-#[shade]
-pub fn normal_component_squared<R: Real>(
-    /// Cosine of the angle of incidence in the ambient medium, [0, 1].
-    cos_theta1: R,
-    /// Refractive index of the ambient medium, > 0.
-    ambient_ior: R,
-    /// Refractive index of the medium, > 0.
-    ior: R,
-) -> R {
+/// Source: Snell's law, squared.
+pub fn normal_component_squared<R: Real>(cos_theta1: R, ambient_ior: R, ior: R) -> R {
     let ambient_normal = ambient_ior * cos_theta1;
     (ior - ambient_ior) * (ior + ambient_ior) + ambient_normal * ambient_normal
 }

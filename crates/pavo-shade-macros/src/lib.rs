@@ -32,7 +32,7 @@ fn doc_lines(attributes: &[syn::Attribute]) -> Vec<String> {
         },
         _ => None,
     });
-    lines.flat_map(|text| text.lines().map(|line| line.trim().to_owned()).collect::<Vec<_>>()).collect()
+    lines.flat_map(|text| text.split('\n').map(|line| line.trim().to_owned()).collect::<Vec<_>>()).collect()
 }
 
 /// The type parameter that is bounded by `Real` or `Scalar`.

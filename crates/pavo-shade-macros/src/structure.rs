@@ -26,6 +26,9 @@ pub fn expand(item: ItemStruct, attribute: TokenStream) -> syn::Result<TokenStre
     let paths = texts
         .iter()
         .map(|field| if flat { quote!(#field.to_owned()) } else { quote!(::pavo_shade::join(path, #field)) });
+    let part_docs = docs.iter().map(|part| {
+        if flat { quote!(#part) } else { quote!(::pavo_shade::LeafInfo::part_doc(doc, #part)) }
+    });
     Ok(quote! {
         #[derive(Clone, Copy, Debug)]
         #item
@@ -41,11 +44,11 @@ pub fn expand(item: ItemStruct, attribute: TokenStream) -> syn::Result<TokenStre
             }
             fn describe(
                 path: &str,
-                _doc: &'static str,
+                doc: &str,
                 leaves: &mut ::std::vec::Vec<::pavo_shade::LeafInfo>,
             ) {
-                let _ = path;
-                #(<#types as ::pavo_shade::Value>::describe(&#paths, #docs, leaves);)*
+                let _ = (path, doc);
+                #(<#types as ::pavo_shade::Value>::describe(&#paths, &#part_docs, leaves);)*
             }
             fn type_name() -> ::core::option::Option<&'static str> {
                 ::core::option::Option::Some(#text)

@@ -130,7 +130,7 @@ impl<'g> Value for Expr<'g> {
     fn unflatten(leaves: &mut dyn Iterator<Item = Self>) -> Self {
         leaves.next().expect("one leaf per expression")
     }
-    fn describe(path: &str, doc: &'static str, leaves: &mut Vec<LeafInfo>) {
+    fn describe(path: &str, doc: &str, leaves: &mut Vec<LeafInfo>) {
         leaves.push(LeafInfo::new(path, doc));
     }
     fn named(self, name: &str) -> Self {

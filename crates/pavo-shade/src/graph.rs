@@ -123,11 +123,19 @@ pub(crate) enum Leaf {
     Node(u32),
 }
 
+/// A parameter of an instance: a leaf of one of the parameters of the Rust function.
+pub(crate) struct FunctionParameter {
+    pub leaf: LeafInfo,
+    pub ty: Type,
+    /// Which parameter of the Rust function it belongs to.
+    pub whole: usize,
+}
+
 /// One instance of a function, specialised on its literal arguments.
 pub(crate) struct Function {
     pub info: Option<&'static FunctionInfo>,
     /// A parameter for each argument that is not literal.
-    pub parameters: Vec<(LeafInfo, Type)>,
+    pub parameters: Vec<FunctionParameter>,
     pub nodes: Vec<Node>,
     pub interned: HashMap<Op, u32>,
     pub calls: Vec<Vec<u32>>,
@@ -326,9 +334,9 @@ impl Graph {
                 .iter()
                 .zip(&keys)
                 .zip(parameters)
-                .map(|((argument, key), (_, leaf))| match key {
+                .map(|((argument, key), (whole, leaf))| match key {
                     Some(_) => *argument,
-                    None => self.parameter(function, leaf, argument.ty()),
+                    None => self.parameter(function, FunctionParameter { leaf, ty: argument.ty(), whole }),
                 })
                 .collect();
             let returned = body(inside);
@@ -347,11 +355,12 @@ impl Graph {
         function
     }
 
-    fn parameter(&self, function: u32, leaf: LeafInfo, ty: Type) -> Expr<'_> {
+    fn parameter(&self, function: u32, parameter: FunctionParameter) -> Expr<'_> {
+        let ty = parameter.ty;
         let index = {
             let mut state = self.state.borrow_mut();
             let parameters = &mut state.functions[function as usize].parameters;
-            parameters.push((leaf, ty));
+            parameters.push(parameter);
             parameters.len() as u32 - 1
         };
         self.node(Op::Parameter(index), ty)
@@ -361,6 +370,11 @@ impl Graph {
         let leaves: Vec<Leaf> = returned.into_iter().map(|value| self.leaf(value)).collect();
         let mut state = self.state.borrow_mut();
         let recorded = &mut state.functions[function as usize];
+        if results.len() > 1 {
+            for (result, leaf) in results.iter().zip(&leaves) {
+                name_result(recorded, leaf, &result.name);
+            }
+        }
         recorded.results = results.into_iter().zip(leaves).collect();
         recorded.result_type = result_type;
         state.open.pop();
@@ -413,5 +427,15 @@ impl Graph {
                 }
             })
             .collect()
+    }
+}
+
+/// What a function returns in a field carries the field's name, unless its author gave it another.
+fn name_result(function: &mut Function, leaf: &Leaf, name: &str) {
+    if let Leaf::Node(index) = leaf {
+        let node = &mut function.nodes[*index as usize];
+        if node.name.is_none() && !matches!(node.op, Op::Parameter(_) | Op::Result(..)) {
+            node.name = Some(name.to_owned());
+        }
     }
 }

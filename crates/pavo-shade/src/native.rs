@@ -38,7 +38,7 @@ macro_rules! native_scalar {
             fn unflatten(leaves: &mut dyn Iterator<Item = $scalar>) -> Self {
                 leaves.next().expect("one leaf per number")
             }
-            fn describe(path: &str, doc: &'static str, leaves: &mut Vec<LeafInfo>) {
+            fn describe(path: &str, doc: &str, leaves: &mut Vec<LeafInfo>) {
                 leaves.push(LeafInfo::new(path, doc));
             }
         }
@@ -129,7 +129,7 @@ macro_rules! native_scalar {
             fn unflatten(leaves: &mut dyn Iterator<Item = $scalar>) -> Self {
                 <$vector>::from_array(core::array::from_fn(|_| leaves.next().expect("three leaves per vector")))
             }
-            fn describe(path: &str, doc: &'static str, leaves: &mut Vec<LeafInfo>) {
+            fn describe(path: &str, doc: &str, leaves: &mut Vec<LeafInfo>) {
                 leaves.extend(["x", "y", "z"].map(|component| LeafInfo::new(&join(path, component), doc)));
             }
         }

@@ -24,6 +24,8 @@ pub struct Parameter {
     pub doc: String,
     /// Its type.
     pub ty: Type,
+    /// Where it is part of a struct: the name and the meaning of the whole.
+    pub whole: Option<(String, String)>,
 }
 
 /// A result of a definition, or an output of the program.
@@ -248,6 +250,12 @@ impl Builder<'_> {
     /// Adds a function, or finds that one with the same text is there already.
     fn add(&mut self, function: u32) {
         let definition = self.compact(function);
+        if let Some(callee) = forwards(&definition) {
+            // A function that only passes on to another one gives it its name and is left out.
+            self.made[callee as usize].name = definition.name;
+            self.numbers.insert(function, callee);
+            return;
+        }
         let same = |other: &Definition| {
             other.name == definition.name
                 && other.parameters == definition.parameters
@@ -313,11 +321,20 @@ impl Builder<'_> {
         if function == 0 {
             return kept
                 .map(|index| &self.state.inputs[index])
-                .map(|input| Parameter { name: input.name.clone(), doc: input.unit.clone(), ty: input.ty })
+                .map(|input| Parameter { name: input.name.clone(), doc: input.unit.clone(), ty: input.ty, whole: None })
                 .collect();
         }
+        let of_whole = |whole: usize| body.parameters.iter().filter(|parameter| parameter.whole == whole).count();
         kept.map(|index| &body.parameters[index])
-            .map(|(leaf, ty)| Parameter { name: leaf.name.clone(), doc: leaf.doc.to_owned(), ty: *ty })
+            .map(|parameter| Parameter {
+                name: parameter.leaf.name.clone(),
+                doc: parameter.leaf.doc.clone(),
+                ty: parameter.ty,
+                whole: body.info.filter(|_| of_whole(parameter.whole) > 1).map(|info| {
+                    let whole = &info.parameters[parameter.whole];
+                    (whole.name.to_owned(), whole.doc.to_owned())
+                }),
+            })
             .collect()
     }
 
@@ -333,7 +350,7 @@ impl Builder<'_> {
             .map(|&index| &body.results[index as usize])
             .map(|(info, leaf)| Output {
                 name: info.name.clone(),
-                doc: info.doc.to_owned(),
+                doc: info.doc.clone(),
                 value: value(leaf),
                 ty: match *leaf {
                     Leaf::Literal(_) => Type::Scalar,
@@ -343,6 +360,27 @@ impl Builder<'_> {
             })
             .collect()
     }
+}
+
+/// The function that this one only passes its parameters on to, and whose results it gives back as they are.
+fn forwards(definition: &Definition) -> Option<u32> {
+    let result_of = |output: &Output| match output.value {
+        ReturnValue::Node(index) => match definition.nodes[index as usize].op {
+            Op::Result(call, result) => Some((call, result)),
+            _ => None,
+        },
+        _ => None,
+    };
+    let (call, _) = result_of(definition.results.first()?)?;
+    let in_order = definition.results.iter().zip(0..).all(|(output, index)| result_of(output) == Some((call, index)));
+    let Op::Call(callee, arguments) = definition.nodes[call as usize].op else { return None };
+    let arguments = &definition.calls[arguments as usize];
+    let passed_on = arguments
+        .iter()
+        .zip(0..)
+        .all(|(&argument, index)| definition.nodes[argument as usize].op == Op::Parameter(index));
+    let nothing_else = definition.nodes.len() == arguments.len() + 1 + definition.results.len();
+    (in_order && passed_on && nothing_else && arguments.len() == definition.parameters.len()).then_some(callee)
 }
 
 fn numbering(kept: &BTreeSet<u32>) -> HashMap<u32, u32> {

@@ -8,13 +8,23 @@ pub struct LeafInfo {
     /// Its name in emitted code.
     pub name: String,
     /// Meaning, unit and range in one line.
-    pub doc: &'static str,
+    pub doc: String,
 }
 
 impl LeafInfo {
     /// A leaf that is named as a whole.
-    pub fn new(name: &str, doc: &'static str) -> Self {
-        Self { name: name.to_owned(), doc }
+    pub fn new(name: &str, doc: &str) -> Self {
+        Self { name: name.to_owned(), doc: doc.to_owned() }
+    }
+
+    /// The meaning of a part: that of the whole, then its own.
+    pub fn part_doc(whole: &str, part: &str) -> String {
+        if whole.is_empty() {
+            return part.to_owned();
+        }
+        let first = part.chars().next().map(|first| first.to_lowercase().to_string()).unwrap_or_default();
+        let rest: String = part.chars().skip(1).collect();
+        format!("{}; {first}{rest}", whole.trim_end_matches('.'))
     }
 }
 
@@ -28,7 +38,7 @@ pub trait Value: Sized {
     /// Takes the leaves off again, in the same order.
     fn unflatten(leaves: &mut dyn Iterator<Item = Self::Leaf>) -> Self;
     /// Appends a name and a meaning for each leaf, made from those of the whole.
-    fn describe(path: &str, doc: &'static str, leaves: &mut Vec<LeafInfo>);
+    fn describe(path: &str, doc: &str, leaves: &mut Vec<LeafInfo>);
     /// The name of the struct, when it has one.
     fn type_name() -> Option<&'static str> {
         None
@@ -55,7 +65,7 @@ impl<T: Value, const N: usize> Value for [T; N] {
     fn unflatten(leaves: &mut dyn Iterator<Item = T::Leaf>) -> Self {
         core::array::from_fn(|_| T::unflatten(leaves))
     }
-    fn describe(path: &str, doc: &'static str, leaves: &mut Vec<LeafInfo>) {
+    fn describe(path: &str, doc: &str, leaves: &mut Vec<LeafInfo>) {
         for index in 0..N {
             T::describe(&join(path, &format!("v{index}")), doc, leaves);
         }
@@ -97,7 +107,7 @@ macro_rules! arguments {
                 ($first::unflatten(leaves), $($rest::unflatten(leaves),)*)
             }
             fn describe(parameters: &[ParameterInfo]) -> Vec<(usize, LeafInfo)> {
-                let describers: &[fn(&str, &'static str, &mut Vec<LeafInfo>)] = &[$first::describe, $($rest::describe),*];
+                let describers: &[fn(&str, &str, &mut Vec<LeafInfo>)] = &[$first::describe, $($rest::describe),*];
                 let mut described = Vec::new();
                 for (index, (parameter, describe)) in parameters.iter().zip(describers).enumerate() {
                     let mut leaves = Vec::new();

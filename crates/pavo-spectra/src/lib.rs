@@ -13,6 +13,7 @@
 //! Nothing here touches the outside world: data files are compiled in, and a user's tables come as text.
 
 pub mod colour_space;
+pub mod gaussian;
 pub mod illuminant;
 pub mod names;
 pub mod observer;
@@ -27,6 +28,7 @@ mod interpolation;
 mod matrix3;
 
 pub use colour_space::ColourSpace;
+pub use gaussian::Gaussian;
 pub use illuminant::Illuminant;
 pub use observer::Observer;
 pub use optical_constants::OpticalConstants;

@@ -151,7 +151,7 @@ pub fn white_xyz(observer: Observer, illuminant: &Illuminant) -> Result<[f64; 3]
 }
 
 /// The XYZ, at Y = 1, of the white that a space was made for.
-fn white_of_space(space: ColourSpace) -> Result<[f64; 3], SensitivityError> {
+pub(crate) fn white_of_space(space: ColourSpace) -> Result<[f64; 3], SensitivityError> {
     static D65: LazyLock<Result<[f64; 3], SensitivityError>> =
         LazyLock::new(|| white_xyz(Observer::Cie1931TwoDegree, &Illuminant::D65));
     match space {

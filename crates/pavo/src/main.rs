@@ -1,2 +1,7 @@
-//! The pavo command.
-fn main() {}
+//! The command `pavo`.
+
+use std::process::ExitCode;
+
+fn main() -> ExitCode {
+    pavo::cli::run(std::env::args_os())
+}

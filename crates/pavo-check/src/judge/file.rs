@@ -61,8 +61,7 @@ fn judge_glsl_file(stage: Option<Stage>, file: &str, text: &str) -> Result<Vec<V
     if source.has_main {
         return judge_glsl(stage, file, text);
     }
-    let version =
-        if source.version_line.is_some() { required_version(&source, file)? } else { GlslVersion::GLSL_450 };
+    let version = if source.version_line.is_some() { required_version(&source, file)? } else { GlslVersion::GLSL_450 };
     judge(version, stage, file, &source.completed(version, stage))
 }
 

@@ -74,7 +74,8 @@ pub(super) fn judge(
     }
     let mut naga = None;
     let answer = compile_for_vulkan(version, stage, judged, || {
-        naga = Some(naga_reader::read_glsl(file, judged, stage).map_or_else(|refusal| refusal, |_| naga_reader::passed()));
+        naga =
+            Some(naga_reader::read_glsl(file, judged, stage).map_or_else(|refusal| refusal, |_| naga_reader::passed()));
     })?;
     let mut verdicts: Vec<Verdict> = naga.into_iter().collect();
     verdicts.push(answer.verdict(file, judged));

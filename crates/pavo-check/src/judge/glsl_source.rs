@@ -40,7 +40,7 @@ impl fmt::Display for GlslVersion {
     fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
         let profile = match (self.embedded, self.number) {
             (true, _) => " es",
-            (false, 330..) => " core",
+            (false, 330..440) => " core",
             (false, _) => "",
         };
         write!(formatter, "#version {}{profile}", self.number)
@@ -201,7 +201,10 @@ fn declares_main(code: &str) -> bool {
     code.match_indices("main").any(|(start, name)| {
         let before = code[..start].trim_end();
         let after = code[start + name.len()..].trim_start();
-        before.len() < start && after.starts_with('(') && words(before).last() == Some("void") && before.ends_with("void")
+        before.len() < start
+            && after.starts_with('(')
+            && words(before).last() == Some("void")
+            && before.ends_with("void")
     })
 }
 

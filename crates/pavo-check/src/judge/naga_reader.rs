@@ -3,7 +3,7 @@
 use std::error::Error;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 
-use ::naga::back::{pipeline_constants, spv};
+use ::naga::back::{PipelineConstants, pipeline_constants, spv};
 use ::naga::front::{glsl, wgsl};
 use ::naga::valid::{Capabilities, ModuleInfo, ValidationFlags, Validator};
 use ::naga::{Module, Span, WithSpan};
@@ -39,7 +39,7 @@ impl ValidModule {
             ..spv::Options::default()
         };
         guarded(|| {
-            let constants = pipeline_constants::PipelineConstants::default();
+            let constants = PipelineConstants::default();
             let (module, info) = pipeline_constants::process_overrides(&self.module, &self.info, None, &constants)
                 .map_err(|error| chain(&error))?;
             spv::write_vec(&module, &info, &options, None).map_err(|error| chain(&error))
@@ -55,9 +55,12 @@ pub(super) fn read_wgsl(file: &str, text: &str) -> Result<ValidModule, Verdict> 
         .map_err(|message| place.refusal(vec![place.diagnostic(None, message)]))?
         .map_err(|error| {
             let mut message = error.message().to_owned();
-            let span = error.labels().next().map(|(span, _)| span);
+            let first_label = error.labels().next();
+            let span = first_label.map(|(span, _)| span);
             // The first label says what is wrong at the span itself, where the message does not already.
-            for (_, label) in error.labels().take(1).filter(|(_, label)| !label.is_empty() && !message.contains(*label)) {
+            if let Some((_, label)) = first_label
+                && !message.contains(label)
+            {
                 message = format!("{message}: {label}");
             }
             for note in error.notes() {
@@ -75,7 +78,8 @@ pub(super) fn read_glsl(file: &str, judged: &JudgedText, stage: Stage) -> Result
     let module = guarded(|| glsl::Frontend::default().parse(&options, &judged.text))
         .map_err(|message| place.refusal(vec![place.diagnostic(None, message)]))?
         .map_err(|errors| {
-            let diagnostics = errors.errors.iter().map(|error| place.diagnostic(Some(error.meta), error.kind.to_string()));
+            let diagnostics =
+                errors.errors.iter().map(|error| place.diagnostic(Some(error.meta), error.kind.to_string()));
             place.refusal(diagnostics.collect())
         })?;
     place.validate(module, Capabilities::all())
@@ -95,10 +99,11 @@ struct Place<'text> {
 
 impl Place<'_> {
     fn validate(&self, module: Module, capabilities: Capabilities) -> Result<ValidModule, Verdict> {
-        let result = guarded(|| Validator::new(ValidationFlags::all(), capabilities).validate(&module));
+        let result =
+            guarded(|| Validator::new(ValidationFlags::all(), capabilities).validate(&module).map_err(Box::new));
         match result {
             Ok(Ok(info)) => Ok(ValidModule { module, info }),
-            Ok(Err(error)) => Err(self.refusal(vec![self.diagnostic(first_span(&error), chain(error.as_inner()))])),
+            Ok(Err(error)) => Err(self.refusal(vec![self.diagnostic(narrowest_span(&error), chain(error.as_inner()))])),
             Err(message) => Err(self.refusal(vec![self.diagnostic(None, message)])),
         }
     }
@@ -123,9 +128,9 @@ fn line_and_column(text: &str, offset: usize) -> (u32, u32) {
     (u32::try_from(line).unwrap_or(u32::MAX), u32::try_from(column).unwrap_or(u32::MAX))
 }
 
-/// The first span of an error that lies in the text.
-fn first_span<E>(error: &WithSpan<E>) -> Option<Span> {
-    error.spans().map(|(span, _)| *span).find(|span| span.is_defined())
+/// The shortest span of an error: naga names the function and the expression in it, in no fixed order.
+fn narrowest_span<E>(error: &WithSpan<E>) -> Option<Span> {
+    error.spans().map(|(span, _)| *span).min_by_key(|span| span.to_range().map_or(usize::MAX, |range| range.len()))
 }
 
 /// The message of an error and of all that caused it, in one line.

@@ -111,7 +111,13 @@ fn diagnostic(file: &str, error: spirv_tools::Error, tool: Requirement) -> Resul
             let place = Place::read(&said);
             let notes: String = said.notes.lines().map(|note| format!(" {}", note.trim())).collect();
             let message = format!("{}{}", place.message, notes.trim_end());
-            Ok(Diagnostic { file: file.to_owned(), line: place.line, column: place.column, message, judge: Judge::SpirvVal })
+            Ok(Diagnostic {
+                file: file.to_owned(),
+                line: place.line,
+                column: place.column,
+                message,
+                judge: Judge::SpirvVal,
+            })
         }
         (result, None) => Ok(Diagnostic {
             file: file.to_owned(),
@@ -142,12 +148,11 @@ impl Place<'_> {
         if let Some((line, message)) = message.strip_prefix("line ").and_then(number_and_rest) {
             return Place { line: Some(line).filter(|&line| line > 0), column: None, message };
         }
-        // The first number of an assembly error was split off already, as an index.
-        let index = u32::try_from(said.index).ok().filter(|&index| index > 0);
-        match number_and_rest(message) {
-            Some((column, message)) if index.is_some() => Place { line: index, column: Some(column), message },
-            _ => Place { line: index, column: None, message },
+        if let Some((line, rest)) = number_and_rest(message) {
+            let (column, message) = number_and_rest(rest).map_or((None, rest), |(column, rest)| (Some(column), rest));
+            return Place { line: Some(line), column, message };
         }
+        Place { line: u32::try_from(said.index).ok().filter(|&index| index > 0), column: None, message }
     }
 }
 

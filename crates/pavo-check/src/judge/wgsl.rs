@@ -34,7 +34,8 @@ pub fn judge_wgsl(required: Option<Stage>, file: &str, text: &str) -> Result<Vec
 pub fn wgsl_to_spirv(file: &str, text: &str) -> Result<Vec<u32>, CheckError> {
     let module = read(None, file, text)?;
     if module.module.entry_points.is_empty() {
-        let message = "no entry point: SPIR-V for Vulkan needs a `@compute`, `@vertex` or `@fragment` function".to_owned();
+        let message =
+            "no entry point: SPIR-V for Vulkan needs a `@compute`, `@vertex` or `@fragment` function".to_owned();
         return Err(refused(Verdict::refusal(Judge::Naga, NAGA_VERSION, file, None, message)));
     }
     write(&module, file)

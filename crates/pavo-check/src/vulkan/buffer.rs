@@ -81,10 +81,8 @@ pub(super) fn allocate(
     let information = vk::MemoryAllocateInfo::default().allocation_size(size).memory_type_index(memory_type);
     // SAFETY: the device is alive and the type is one of its own.
     unsafe {
-        let memory = device
-            .device
-            .allocate_memory(&information, None)
-            .map_err(|result| failure("allocate memory", result))?;
+        let memory =
+            device.device.allocate_memory(&information, None).map_err(|result| failure("allocate memory", result))?;
         Ok(Owned::new(&device.device, memory, |device, memory| device.free_memory(memory, None)))
     }
 }

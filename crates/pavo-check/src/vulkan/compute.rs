@@ -112,7 +112,10 @@ impl Device {
                 )));
             }
             None => {
-                return Err(CheckError::Input(format!("the entry point `{}` has no fixed workgroup size", shader.entry)));
+                return Err(CheckError::Input(format!(
+                    "the entry point `{}` has no fixed workgroup size",
+                    shader.entry
+                )));
             }
         }
         let allowed = self.limits.max_compute_work_group_size[0].min(self.limits.max_compute_work_group_invocations);
@@ -149,9 +152,9 @@ fn point_count(length: usize, inputs_per_point: usize, outputs_per_point: usize)
     match (length, inputs_per_point) {
         (0, 0) => Ok(1),
         (_, 0) => Err(CheckError::Input(format!("{length} inputs where a point has none"))),
-        _ if length % inputs_per_point != 0 => Err(CheckError::Input(format!(
-            "{length} inputs are not whole points of {inputs_per_point} inputs each"
-        ))),
+        _ if !length.is_multiple_of(inputs_per_point) => {
+            Err(CheckError::Input(format!("{length} inputs are not whole points of {inputs_per_point} inputs each")))
+        }
         _ => Ok(length / inputs_per_point),
     }
 }
@@ -219,8 +222,7 @@ impl<'device> Pipeline<'device> {
             let pipelines = handle
                 .create_compute_pipelines(vk::PipelineCache::null(), &information, None)
                 .map_err(|(_, result)| failure("create the compute pipeline", result))?;
-            let pipeline =
-                Owned::new(handle, pipelines[0], |device, pipeline| device.destroy_pipeline(pipeline, None));
+            let pipeline = Owned::new(handle, pipelines[0], |device, pipeline| device.destroy_pipeline(pipeline, None));
             Ok(Pipeline { device, set: sets[0], pipeline, layout, _pool: pool, _set_layout: set_layout })
         }
     }
@@ -270,15 +272,7 @@ impl<'device> Pipeline<'device> {
                     &[],
                 );
                 device.cmd_dispatch(commands, group_count, 1, 1);
-                device.cmd_pipeline_barrier(
-                    commands,
-                    compute,
-                    vk::PipelineStageFlags::HOST,
-                    none,
-                    &written,
-                    &[],
-                    &[],
-                );
+                device.cmd_pipeline_barrier(commands, compute, vk::PipelineStageFlags::HOST, none, &written, &[], &[]);
             }
         })
     }

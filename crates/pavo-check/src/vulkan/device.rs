@@ -76,7 +76,8 @@ impl Device {
             found: Some(list_of_found(&found)),
         };
         let fits = |description: &DeviceDescription| {
-            description.name.to_lowercase().contains(&wanted) || description.driver_name.to_lowercase().contains(&wanted)
+            description.name.to_lowercase().contains(&wanted)
+                || description.driver_name.to_lowercase().contains(&wanted)
         };
         Device::open(Driver::through_loader()?, fits, missing)
     }
@@ -133,8 +134,7 @@ impl Device {
         let priorities = [1.0];
         let queues =
             [vk::DeviceQueueCreateInfo::default().queue_family_index(queue_family).queue_priorities(&priorities)];
-        let information =
-            vk::DeviceCreateInfo::default().queue_create_infos(&queues).enabled_features(&features);
+        let information = vk::DeviceCreateInfo::default().queue_create_infos(&queues).enabled_features(&features);
         let device = unsafe { instance.create_device(physical_device, &information, None) }
             .map_err(|result| failure("open the device", result))?;
         let queue = Mutex::new(unsafe { device.get_device_queue(queue_family, 0) });

@@ -31,7 +31,8 @@ struct DriverEntry {
 pub(crate) fn lavapipe_manifests() -> Vec<Manifest> {
     let mut found: Vec<Manifest> = Vec::new();
     for path in candidate_files() {
-        let is_lavapipe = path.file_name().and_then(|name| name.to_str()).is_some_and(|name| name.starts_with("lvp_icd"));
+        let is_lavapipe =
+            path.file_name().and_then(|name| name.to_str()).is_some_and(|name| name.starts_with("lvp_icd"));
         if is_lavapipe && let Some(library) = std::fs::read(&path).ok().and_then(|text| library_of(&path, &text)) {
             let manifest = Manifest { path, library };
             if !found.contains(&manifest) {

@@ -128,9 +128,7 @@ impl Device {
                 .framebuffer(target.framebuffer.handle)
                 .render_area(vk::Rect2D { offset: vk::Offset2D::default(), extent })
                 .clear_values(&clear);
-            let layers = vk::ImageSubresourceLayers::default()
-                .aspect_mask(vk::ImageAspectFlags::COLOR)
-                .layer_count(1);
+            let layers = vk::ImageSubresourceLayers::default().aspect_mask(vk::ImageAspectFlags::COLOR).layer_count(1);
             let regions = [vk::BufferImageCopy::default().image_subresource(layers).image_extent(extent.into())];
             let copied = [vk::MemoryBarrier::default()
                 .src_access_mask(vk::AccessFlags::TRANSFER_WRITE)
@@ -265,8 +263,7 @@ impl<'device> Pipeline<'device> {
         let (width, height) = (extent.width as f32, extent.height as f32);
         let viewports = [vk::Viewport { x: 0.0, y: 0.0, width, height, min_depth: 0.0, max_depth: 1.0 }];
         let scissors = [vk::Rect2D { offset: vk::Offset2D::default(), extent }];
-        let viewport =
-            vk::PipelineViewportStateCreateInfo::default().viewports(&viewports).scissors(&scissors);
+        let viewport = vk::PipelineViewportStateCreateInfo::default().viewports(&viewports).scissors(&scissors);
         let rasterization = vk::PipelineRasterizationStateCreateInfo::default()
             .polygon_mode(vk::PolygonMode::FILL)
             .cull_mode(vk::CullModeFlags::NONE)
@@ -298,8 +295,7 @@ impl<'device> Pipeline<'device> {
             let pipelines = handle
                 .create_graphics_pipelines(vk::PipelineCache::null(), &information, None)
                 .map_err(|(_, result)| failure("create the graphics pipeline", result))?;
-            let pipeline =
-                Owned::new(handle, pipelines[0], |device, pipeline| device.destroy_pipeline(pipeline, None));
+            let pipeline = Owned::new(handle, pipelines[0], |device, pipeline| device.destroy_pipeline(pipeline, None));
             Ok(Pipeline { pipeline, _layout: layout })
         }
     }

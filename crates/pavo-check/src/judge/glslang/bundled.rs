@@ -57,7 +57,8 @@ fn compile(compiler: &Compiler, text: &str, stage: Stage, task: Task) -> Result<
         Task::Vulkan { keep_uncalled, read_as } => {
             messages |= ShaderMessage::SPV_RULES | ShaderMessage::VULKAN_RULES;
             messages.set(ShaderMessage::KEEP_UNCALLED, keep_uncalled);
-            version_profile = read_as.and_then(|version| i32::try_from(version).ok()).map(|version| (version, GlslProfile::Core));
+            version_profile =
+                read_as.and_then(|version| i32::try_from(version).ok()).map(|version| (version, GlslProfile::Core));
             Target::Vulkan { version: VulkanVersion::Vulkan1_1, spirv_version: SpirvVersion::SPIRV1_3 }
         }
     };

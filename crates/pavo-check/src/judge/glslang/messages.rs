@@ -56,7 +56,9 @@ pub(super) fn parse(log: &str) -> Vec<Message> {
 
 /// Whether a message only says that there were messages.
 fn is_summary(text: &str) -> bool {
-    text.contains(" compilation errors.") || text.ends_with("'' : compilation terminated") || text.contains("'' : compilation terminated ")
+    text.contains(" compilation errors.")
+        || text.ends_with("'' : compilation terminated")
+        || text.contains("'' : compilation terminated ")
 }
 
 /// Splits `file:line: text` and `file:line:column: text`. The file is skipped over, as it may hold colons itself.

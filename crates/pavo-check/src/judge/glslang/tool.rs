@@ -7,9 +7,9 @@ use std::process::{Child, Command, Stdio};
 use tempfile::TempDir;
 
 use super::{Answer, Stage, Task};
+use crate::CheckError;
 use crate::install::GLSLANG;
 use crate::judge::spirv::words_of_bytes;
-use crate::CheckError;
 
 /// The names of the program, the older one first: later releases call it `glslang` and keep the old name as a link.
 const PROGRAMS: [&str; 2] = ["glslangValidator", "glslang"];

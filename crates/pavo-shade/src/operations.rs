@@ -1,0 +1,70 @@
+//! How many operations an evaluation takes, with every call counted in full.
+
+use crate::graph::{BinaryOp, Op, Type, UnaryOp};
+use crate::program::{Definition, Program};
+use core::ops::Add;
+
+/// Operations by what they cost. A vector counts for three.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+pub struct Operations {
+    /// Sums, products, comparisons, selections.
+    pub arithmetic: usize,
+    /// Quotients and roots.
+    pub roots: usize,
+    /// Sines, cosines and exponentials.
+    pub transcendental: usize,
+}
+
+impl Add for Operations {
+    type Output = Self;
+    fn add(self, other: Self) -> Self {
+        Self {
+            arithmetic: self.arithmetic + other.arithmetic,
+            roots: self.roots + other.roots,
+            transcendental: self.transcendental + other.transcendental,
+        }
+    }
+}
+
+impl Program {
+    /// The operations of one evaluation.
+    pub fn operations(&self) -> Operations {
+        let mut known: Vec<Operations> = Vec::new();
+        for function in self.functions() {
+            let operations = count(function, &known);
+            known.push(operations);
+        }
+        count(self.body(), &known)
+    }
+}
+
+fn count(function: &Definition, callees: &[Operations]) -> Operations {
+    let operations = function.nodes.iter().map(|node| {
+        let width = if matches!(node.ty, Type::Vec3 | Type::Mask3) { 3 } else { 1 };
+        let arithmetic = Operations { arithmetic: width, ..Operations::default() };
+        match node.op {
+            Op::Literal(_)
+            | Op::Literal3(_)
+            | Op::Parameter(_)
+            | Op::Vec3(..)
+            | Op::Splat(_)
+            | Op::Component(..)
+            | Op::Result(..)
+            | Op::Unary(UnaryOp::Negate, _) => Operations::default(),
+            Op::Call(callee, _) => callees[callee as usize],
+            Op::Unary(UnaryOp::Sqrt | UnaryOp::InverseSqrt, _) | Op::Binary(BinaryOp::Divide, ..) => {
+                Operations { roots: width, ..Operations::default() }
+            }
+            Op::Unary(UnaryOp::Sin | UnaryOp::Cos | UnaryOp::Exp, _) => {
+                Operations { transcendental: width, ..Operations::default() }
+            }
+            Op::Unary(UnaryOp::Normalize, _) => Operations { arithmetic: 8, roots: 1, transcendental: 0 },
+            Op::Binary(BinaryOp::Dot, ..) => Operations { arithmetic: 5, ..Operations::default() },
+            Op::Clamp(..) => Operations { arithmetic: 2 * width, ..Operations::default() },
+            Op::Mix(..) => Operations { arithmetic: 4 * width, ..Operations::default() },
+            Op::Unary(..) | Op::Binary(..) | Op::Compare(..) | Op::Select(..) => arithmetic,
+        }
+    });
+    operations.fold(Operations::default(), Add::add)
+}

@@ -1,0 +1,225 @@
+//! The arguments of the command.
+
+use crate::inputs::ShadingQuantity;
+use crate::target::Target;
+use clap::{Args, Parser, Subcommand, ValueEnum};
+use pavo_emit::Form;
+use std::path::PathBuf;
+
+const EXAMPLES: &str = "\
+Examples:
+  pavo new my-film                                  a scene to start from: my-film.toml
+  pavo build my-film.toml                           emit, judge, run on lavapipe, report
+  pavo emit my-film.toml --target wgsl              the shader functions, on standard output
+  pavo preview my-film.toml -o sphere.png           a picture of a lit sphere
+  pavo eval my-film.toml --points points.csv --on reference
+  pavo doctor                                       which judges and drivers are here
+
+Exit status: 0 fine, 1 a check failed, 2 bad input, 3 something needed is missing.";
+
+/// Thin-film iridescence shaders, generated and proven.
+///
+/// A scene file says what a surface is made of; out come WGSL, GLSL and SPIR-V, judged by naga, glslang and SPIRV-Tools
+/// and run on lavapipe against the CPU evaluation.
+#[derive(Debug, Parser)]
+#[command(name = "pavo", version, after_help = EXAMPLES, max_term_width = 100)]
+pub struct Arguments {
+    #[command(subcommand)]
+    pub command: Command,
+}
+
+#[derive(Debug, Subcommand)]
+pub enum Command {
+    /// Emit a scene's shaders, judge them, run them on lavapipe, and report.
+    Build(Build),
+    /// Emit one shader.
+    Emit(Emit),
+    /// Ask the judges only: of the shaders of a scene, or of shader files.
+    Check(Check),
+    /// Evaluate a scene at the points of a table.
+    Eval(Eval),
+    /// Render a lit sphere on lavapipe.
+    Preview(Preview),
+    /// List the variants of a scene with their errors and operation counts.
+    Variants(Variants),
+    /// Say which judges and drivers were found.
+    Doctor(Doctor),
+    /// Write a starter scene.
+    New(New),
+}
+
+#[derive(Debug, Args)]
+pub struct Build {
+    /// The scene file.
+    pub scene: PathBuf,
+    /// The folder to write to [default: the scene's name].
+    #[arg(short, long, value_name = "DIR")]
+    pub output: Option<PathBuf>,
+    /// Targets, separated by commas [default: those of the scene].
+    #[arg(long, value_delimiter = ',', value_name = "LIST", value_parser = target)]
+    pub target: Vec<Target>,
+    /// The variant, such as series:m=3,fit=xyz-gauss or spectral:n=81 [default: that of the scene].
+    #[arg(long)]
+    pub variant: Option<String>,
+    /// Do not run the shaders on lavapipe.
+    #[arg(long)]
+    pub no_run: bool,
+    /// Print the manifest instead of the report.
+    #[arg(long)]
+    pub json: bool,
+}
+
+#[derive(Debug, Args)]
+pub struct Emit {
+    /// The scene file.
+    pub scene: PathBuf,
+    /// What to emit: wgsl, glsl450, glsl330, essl300, spirv, spirv-asm.
+    #[arg(long, value_parser = target)]
+    pub target: Target,
+    /// The variant [default: that of the scene].
+    #[arg(long)]
+    pub variant: Option<String>,
+    /// What stands around the functions [default: library, for SPIR-V compute].
+    #[arg(long, value_enum)]
+    pub form: Option<FormName>,
+    /// What the compute form evaluates.
+    #[arg(long, value_enum, default_value_t = QuantityName::Reflectance)]
+    pub quantity: QuantityName,
+    /// The file to write [default: standard output].
+    #[arg(short, long, value_name = "FILE")]
+    pub output: Option<PathBuf>,
+}
+
+#[derive(Debug, Args)]
+pub struct Check {
+    /// A scene (.toml), whose targets are emitted and judged, or shader files.
+    #[arg(required = true)]
+    pub files: Vec<PathBuf>,
+    /// The variant, for scenes.
+    #[arg(long)]
+    pub variant: Option<String>,
+    /// Print the verdicts as JSON.
+    #[arg(long)]
+    pub json: bool,
+}
+
+#[derive(Debug, Args)]
+pub struct Eval {
+    /// The scene file.
+    pub scene: PathBuf,
+    /// The points: a CSV whose header names run-time inputs of the scene.
+    #[arg(long, value_name = "CSV")]
+    pub points: PathBuf,
+    /// On what to evaluate.
+    #[arg(long, value_enum)]
+    pub on: Evaluator,
+    /// What to evaluate.
+    #[arg(long, value_enum, default_value_t = QuantityName::Reflectance)]
+    pub quantity: QuantityName,
+    /// The variant [default: that of the scene].
+    #[arg(long)]
+    pub variant: Option<String>,
+    /// The file to write [default: standard output].
+    #[arg(short, long, value_name = "CSV")]
+    pub output: Option<PathBuf>,
+}
+
+#[derive(Debug, Args)]
+pub struct Preview {
+    /// The scene file.
+    pub scene: PathBuf,
+    /// The picture to write.
+    #[arg(short, long, value_name = "PNG", default_value = "sphere.png")]
+    pub output: PathBuf,
+    /// The variant [default: that of the scene].
+    #[arg(long)]
+    pub variant: Option<String>,
+    /// The width and height of the picture in pixels.
+    #[arg(long, default_value_t = 512, value_parser = clap::value_parser!(u32).range(16..=4096))]
+    pub size: u32,
+}
+
+#[derive(Debug, Args)]
+pub struct Variants {
+    /// The scene file.
+    pub scene: PathBuf,
+    /// Print the list as JSON.
+    #[arg(long)]
+    pub json: bool,
+}
+
+#[derive(Debug, Args)]
+pub struct Doctor {
+    /// Print the findings as JSON.
+    #[arg(long)]
+    pub json: bool,
+}
+
+#[derive(Debug, Args)]
+pub struct New {
+    /// The name of the scene; the file is NAME.toml.
+    pub name: String,
+}
+
+/// The forms by name.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum FormName {
+    /// Functions only.
+    Library,
+    /// A compute entry that evaluates a buffer of points.
+    Compute,
+    /// A fragment entry that shades a sphere.
+    Fragment,
+}
+
+impl From<FormName> for Form {
+    fn from(name: FormName) -> Self {
+        match name {
+            FormName::Library => Form::Library,
+            FormName::Compute => Form::Compute,
+            FormName::Fragment => Form::Fragment,
+        }
+    }
+}
+
+/// The quantities by name.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum QuantityName {
+    /// The specular reflectance over the angle at the half vector.
+    Reflectance,
+    /// The BRDF.
+    Brdf,
+    /// The radiance under a punctual light.
+    Radiance,
+}
+
+impl From<QuantityName> for ShadingQuantity {
+    fn from(name: QuantityName) -> Self {
+        match name {
+            QuantityName::Reflectance => ShadingQuantity::Reflectance,
+            QuantityName::Brdf => ShadingQuantity::Brdf,
+            QuantityName::Radiance => ShadingQuantity::Radiance,
+        }
+    }
+}
+
+/// What evaluates.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum Evaluator {
+    /// The exact spectral reference.
+    Reference,
+    /// The variant in f64 on the CPU.
+    CpuF64,
+    /// The variant in f32 on the CPU.
+    CpuF32,
+    /// The emitted WGSL, by naga, on lavapipe.
+    LavapipeWgsl,
+    /// The emitted GLSL 4.50, by glslang, on lavapipe.
+    LavapipeGlsl,
+    /// The emitted SPIR-V on lavapipe.
+    LavapipeSpirv,
+}
+
+fn target(text: &str) -> Result<Target, String> {
+    text.parse()
+}

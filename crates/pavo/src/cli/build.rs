@@ -1,0 +1,197 @@
+//! `pavo build`: emit, judge, run, report.
+
+use super::arguments;
+use super::check::targets;
+use super::failure::Failure;
+use super::manifest::{InputRow, Manifest, RunRow, Runs, TargetRow, against_reference};
+use super::output;
+use super::points_table::{column_names, digits};
+use super::progress::Progress;
+use super::roads::{self, Road};
+use super::sources::{Emitted, Source};
+use crate::emission::library_quantity;
+use crate::inputs::ShadingQuantity;
+use crate::points::spread;
+use crate::statistics::Difference;
+use pavo_check::Device;
+use pavo_shade::Input;
+use std::path::{Path, PathBuf};
+
+/// How many points are run on the device.
+const RUN_POINTS: usize = 100_000;
+/// How many points are compared with the exact reference.
+const REFERENCE_POINTS: usize = 2_000;
+/// How many points the test vectors hold.
+const VECTOR_POINTS: usize = 64;
+/// The cosines of the points begin here: at grazing angles the film's finesse amplifies rounding.
+const SMALLEST_COSINE: f64 = 0.05;
+
+/// Builds a scene.
+pub fn run(arguments: &arguments::Build) -> Result<(), Failure> {
+    let progress = Progress::start();
+    progress.step("reading the scene");
+    let source = Source::load(&arguments.scene, arguments.variant.as_deref())?;
+    let targets = if arguments.target.is_empty() { targets(&source)? } else { arguments.target.clone() };
+    let mut emitted: Vec<Emitted> = Vec::new();
+    for target in targets {
+        progress.step(format!("emitting and judging {target}"));
+        if emitted.iter().all(|other| other.target != target) {
+            emitted.push(source.emit(target, target.default_form(), ShadingQuantity::Reflectance)?);
+        }
+    }
+    let runs = if arguments.no_run { None } else { Some(run_on_lavapipe(&source, &progress)?) };
+    progress.step("comparing with the exact reference");
+    let shading = &source.shading;
+    let library_inputs = shading.program(library_quantity(shading.scene()));
+    let manifest = Manifest {
+        pavo: env!("CARGO_PKG_VERSION"),
+        scene: shading.scene(),
+        variant: shading.variant().to_string(),
+        inputs: library_inputs.inputs().iter().map(InputRow::from).collect(),
+        targets: emitted.iter().map(TargetRow::from).collect(),
+        operations: shading.program(ShadingQuantity::Reflectance).operations(),
+        runs,
+        against_reference: against_reference(shading, REFERENCE_POINTS)?,
+        warnings: shading.warnings(),
+    };
+    let folder = arguments.output.clone().unwrap_or_else(|| PathBuf::from(&shading.scene().name));
+    let json = serde_json::to_string_pretty(&manifest)
+        .map_err(|error| Failure::check(format!("the manifest cannot be written: {error}")))?;
+    write_all(&folder, &emitted, &json, &test_vectors(&source))?;
+    drop(progress);
+    if arguments.json {
+        return output::print(&(json + "\n"));
+    }
+    output::print(&report(&folder, &manifest, &emitted))
+}
+
+/// Runs the reflectance, and the BRDF or the radiance, by each road.
+fn run_on_lavapipe(source: &Source, progress: &Progress) -> Result<Runs, Failure> {
+    let device = Device::lavapipe()?;
+    let shading = &source.shading;
+    let whole = if shading.scene().lights.punctual { ShadingQuantity::Radiance } else { ShadingQuantity::Brdf };
+    let mut rows = Vec::new();
+    for quantity in [ShadingQuantity::Reflectance, whole] {
+        let inputs = away_from_grazing(shading.inputs(quantity));
+        let points: Vec<Vec<f32>> = spread(&inputs, RUN_POINTS, 2)
+            .into_iter()
+            .map(|point| point.into_iter().map(|value| value as f32).collect())
+            .collect();
+        let double: Vec<Vec<f64>> = points.iter().map(|point| point.iter().copied().map(f64::from).collect()).collect();
+        let cpu_f64 = shading.evaluate_each(quantity, &double);
+        let cpu_f32: Vec<[f64; 3]> =
+            shading.evaluate_each_f32(quantity, &points).into_iter().map(|color| color.map(f64::from)).collect();
+        for road in Road::ALL {
+            progress.step(format!("running the {} on lavapipe: {}", quantity.name(), road.name()));
+            let found = roads::evaluate(&device, road, source, quantity, &points)?;
+            rows.push(RunRow::new(quantity, road, &inputs, &points, &found, (&cpu_f32, &cpu_f64)));
+        }
+    }
+    Ok(Runs { device: device.description().clone(), rows })
+}
+
+fn away_from_grazing(mut inputs: Vec<Input>) -> Vec<Input> {
+    for input in &mut inputs {
+        if input.name == "cos_theta1" {
+            input.low = SMALLEST_COSINE;
+        }
+    }
+    inputs
+}
+
+/// Points with the reflectance that the variant gives in f64.
+fn test_vectors(source: &Source) -> Vec<u8> {
+    let quantity = ShadingQuantity::Reflectance;
+    let inputs = away_from_grazing(source.shading.inputs(quantity));
+    let columns: Vec<String> = inputs.iter().flat_map(column_names).collect();
+    let mut text = format!(
+        "# {} of {} by {} in f64; emitted code on a 32-bit device agrees within 2e-5.\n{},r,g,b\n",
+        quantity.name(),
+        source.shading.scene().name,
+        source.shading.variant(),
+        columns.join(",")
+    );
+    for point in spread(&inputs, VECTOR_POINTS, 3) {
+        let point: Vec<f64> = point.into_iter().map(|value| f64::from(value as f32)).collect();
+        let color = source.shading.evaluate(quantity, &point);
+        let fields: Vec<String> = point.iter().chain(&color).copied().map(digits).collect();
+        text.push_str(&fields.join(","));
+        text.push('\n');
+    }
+    text.into_bytes()
+}
+
+fn write_all(folder: &Path, emitted: &[Emitted], manifest: &str, vectors: &[u8]) -> Result<(), Failure> {
+    std::fs::create_dir_all(folder).map_err(|error| Failure::file(folder, "made", &error))?;
+    for shader in emitted {
+        output::write(&folder.join(&shader.file), &shader.bytes)?;
+    }
+    output::write(&folder.join("test-vectors.csv"), vectors)?;
+    output::write(&folder.join("manifest.json"), format!("{manifest}\n").as_bytes())
+}
+
+fn report(folder: &Path, manifest: &Manifest<'_>, emitted: &[Emitted]) -> String {
+    let mut text = format!("{}, {}\n\n", manifest.scene.name, manifest.variant);
+    for shader in emitted {
+        let judges: Vec<&str> = shader.verdicts.iter().map(|verdict| verdict.judge.name()).collect();
+        let path = folder.join(&shader.file);
+        text.push_str(&format!(
+            "  {:<10} passed by {:<28} {}\n",
+            shader.target.name(),
+            judges.join(", "),
+            path.display()
+        ));
+    }
+    match &manifest.runs {
+        None => text.push_str("\nNOT run on lavapipe, as asked by --no-run.\n"),
+        Some(runs) => {
+            text.push_str(&format!("\nOn {}, {RUN_POINTS} points, cosine from {SMALLEST_COSINE}:\n", runs.device));
+            text.push_str("                                     against CPU f32        against CPU f64\n");
+            for row in &runs.rows {
+                let pair = |difference: &Difference| format!("max {:.1e} RMS {:.1e}", difference.max, difference.rms);
+                text.push_str(&format!(
+                    "  {:<12} {:<20} {}  {}\n",
+                    row.quantity,
+                    row.road,
+                    pair(&row.against_f32.difference),
+                    pair(&row.against_f64.difference)
+                ));
+            }
+            text.push_str(&worst(runs));
+        }
+    }
+    let reference = &manifest.against_reference;
+    text.push_str(&format!(
+        "\nReflectance against the exact spectral reference: max {:.2e}, RMS {:.2e} over {} points.\n\
+         All figures: {}\n",
+        reference.max,
+        reference.rms,
+        reference.points,
+        folder.join("manifest.json").display()
+    ));
+    text
+}
+
+/// The worst point of the reflectance on any road.
+fn worst(runs: &Runs) -> String {
+    let rows = runs.rows.iter().filter(|row| row.quantity == ShadingQuantity::Reflectance.name());
+    let largest = rows.max_by(|a, b| a.against_f64.difference.max.total_cmp(&b.against_f64.difference.max));
+    let Some(row) = largest else { return String::new() };
+    let Some(inputs) = row.against_f64.worst_inputs.first() else { return String::new() };
+    let named: Vec<String> =
+        row.columns.iter().zip(inputs).map(|(column, value)| format!("{column} = {value}")).collect();
+    format!("  worst reflectance against f64 at {} ({})\n", named.join(", "), row.road)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{SMALLEST_COSINE, away_from_grazing};
+    use pavo_shade::{Input, Rate};
+
+    #[test]
+    fn only_the_angle_at_the_half_vector_stays_away_from_grazing() {
+        let inputs = ["cos_theta1", "n_dot_l"].map(|name| Input::scalar(name, "", 0.0, 1.0, Rate::Pixel));
+        let lows: Vec<f64> = away_from_grazing(inputs.to_vec()).iter().map(|input| input.low).collect();
+        assert_eq!(lows, [SMALLEST_COSINE, 0.0]);
+    }
+}

@@ -1,0 +1,93 @@
+//! How a command fails: with a message, and with a status that says of what kind.
+
+use crate::media::MediaError;
+use crate::scene::SceneError;
+use crate::shading::ShadingError;
+use crate::variant::VariantError;
+use miette::{Report, miette};
+use pavo_check::CheckError;
+use pavo_emit::EmitError;
+use std::path::Path;
+use std::process::ExitCode;
+
+/// A check failed.
+pub const CHECK_FAILED: u8 = 1;
+/// The input is not what it should be.
+pub const BAD_INPUT: u8 = 2;
+
+/// Why a command did not do what was asked.
+pub struct Failure {
+    status: u8,
+    report: Report,
+}
+
+impl Failure {
+    /// Bad input: what is wrong, and what would be right.
+    pub fn input(message: impl std::fmt::Display, help: impl std::fmt::Display) -> Self {
+        Self { status: BAD_INPUT, report: miette!(help = help.to_string(), "{message}") }
+    }
+
+    /// A check that failed.
+    pub fn check(message: impl std::fmt::Display) -> Self {
+        Self { status: CHECK_FAILED, report: miette!("{message}") }
+    }
+
+    /// A file that cannot be read or written.
+    pub fn file(path: &Path, action: &str, error: &std::io::Error) -> Self {
+        Self::input(
+            format!("{}: cannot be {action}: {error}", path.display()),
+            "name a file that can be, in a folder that is there",
+        )
+    }
+
+    /// Prints the message, and gives the status to exit with.
+    pub fn report(self) -> ExitCode {
+        output_error(&self.report);
+        ExitCode::from(self.status)
+    }
+}
+
+#[allow(clippy::print_stderr)]
+fn output_error(report: &Report) {
+    eprintln!("{report:?}");
+}
+
+impl From<SceneError> for Failure {
+    fn from(error: SceneError) -> Self {
+        Self { status: BAD_INPUT, report: Report::new(error) }
+    }
+}
+
+impl From<ShadingError> for Failure {
+    fn from(error: ShadingError) -> Self {
+        Self { status: BAD_INPUT, report: Report::new(error) }
+    }
+}
+
+impl From<MediaError> for Failure {
+    fn from(error: MediaError) -> Self {
+        Self { status: BAD_INPUT, report: Report::new(error) }
+    }
+}
+
+impl From<VariantError> for Failure {
+    fn from(error: VariantError) -> Self {
+        Self::input(&error, error.help())
+    }
+}
+
+impl From<EmitError> for Failure {
+    fn from(error: EmitError) -> Self {
+        Self { status: BAD_INPUT, report: miette!("{error}") }
+    }
+}
+
+impl From<CheckError> for Failure {
+    fn from(error: CheckError) -> Self {
+        let status = match error {
+            CheckError::Unreadable { .. } | CheckError::UnknownKind { .. } => BAD_INPUT,
+            _ => error.exit_status(),
+        };
+        Self { status, report: miette!("{error}") }
+    }
+}

@@ -1,0 +1,153 @@
+//! The manifest: all that is known of what was built.
+
+use super::roads::Road;
+use super::sources::Emitted;
+use crate::inputs::ShadingQuantity;
+use crate::points::spread;
+use crate::scene::Scene;
+use crate::shading::Shading;
+use crate::statistics::Difference;
+use pavo_check::{DeviceDescription, Verdict};
+use pavo_shade::{Input, Operations};
+use serde::Serialize;
+
+/// What is written as `manifest.json`.
+#[derive(Serialize)]
+pub struct Manifest<'a> {
+    /// The version of pavo.
+    pub pavo: &'static str,
+    /// The scene with all defaults filled in.
+    pub scene: &'a Scene,
+    /// The variant.
+    pub variant: String,
+    /// What the functions take.
+    pub inputs: Vec<InputRow>,
+    /// The files with their verdicts.
+    pub targets: Vec<TargetRow<'a>>,
+    /// Operations of one evaluation of the reflectance.
+    pub operations: Operations,
+    /// What was measured on the device; nothing where the shaders were not run.
+    pub runs: Option<Runs>,
+    /// The reflectance of the variant, in f64, against the exact spectral reference over the scene's ranges.
+    pub against_reference: Difference,
+    /// What should be said of the data.
+    pub warnings: Vec<String>,
+}
+
+/// A run-time input.
+#[derive(Serialize)]
+pub struct InputRow {
+    name: String,
+    components: usize,
+    unit: String,
+    low: f64,
+    high: f64,
+    rate: &'static str,
+}
+
+impl From<&Input> for InputRow {
+    fn from(input: &Input) -> Self {
+        Self {
+            name: input.name.clone(),
+            components: input.components(),
+            unit: input.unit.clone(),
+            low: input.low,
+            high: input.high,
+            rate: input.rate.name(),
+        }
+    }
+}
+
+/// An emitted file.
+#[derive(Serialize)]
+pub struct TargetRow<'a> {
+    target: &'static str,
+    form: &'static str,
+    file: &'a str,
+    bytes: usize,
+    verdicts: &'a [Verdict],
+}
+
+impl<'a> From<&'a Emitted> for TargetRow<'a> {
+    fn from(emitted: &'a Emitted) -> Self {
+        Self {
+            target: emitted.target.name(),
+            form: emitted.form.name(),
+            file: &emitted.file,
+            bytes: emitted.bytes.len(),
+            verdicts: &emitted.verdicts,
+        }
+    }
+}
+
+/// What ran on the device.
+#[derive(Serialize)]
+pub struct Runs {
+    /// The device.
+    pub device: DeviceDescription,
+    /// A row for each quantity and road.
+    pub rows: Vec<RunRow>,
+}
+
+/// One quantity by one road.
+#[derive(Serialize)]
+pub struct RunRow {
+    /// The quantity.
+    pub quantity: &'static str,
+    /// The road.
+    pub road: &'static str,
+    /// The inputs of the worst points are in the order of these columns.
+    pub columns: Vec<String>,
+    /// Against the CPU in f32.
+    pub against_f32: Compared,
+    /// Against the CPU in f64, at the same f32 inputs.
+    pub against_f64: Compared,
+}
+
+/// A difference with the inputs of its worst points.
+#[derive(Serialize)]
+pub struct Compared {
+    /// The difference.
+    #[serde(flatten)]
+    pub difference: Difference,
+    /// The inputs of the worst points.
+    pub worst_inputs: Vec<Vec<f32>>,
+}
+
+impl Compared {
+    /// A difference at these points.
+    pub fn new(found: &[[f32; 3]], expected: &[[f64; 3]], points: &[Vec<f32>]) -> Self {
+        let found: Vec<[f64; 3]> = found.iter().map(|color| color.map(f64::from)).collect();
+        let difference = Difference::between(&found, expected, 3);
+        let worst_inputs = difference.worst.iter().map(|worst| points[worst.index].clone()).collect();
+        Self { difference, worst_inputs }
+    }
+}
+
+impl RunRow {
+    /// The row of what a road found.
+    pub fn new(
+        quantity: ShadingQuantity,
+        road: Road,
+        inputs: &[Input],
+        points: &[Vec<f32>],
+        found: &[[f32; 3]],
+        cpu: (&[[f64; 3]], &[[f64; 3]]),
+    ) -> Self {
+        Self {
+            quantity: quantity.name(),
+            road: road.name(),
+            columns: inputs.iter().flat_map(super::points_table::column_names).collect(),
+            against_f32: Compared::new(found, cpu.0, points),
+            against_f64: Compared::new(found, cpu.1, points),
+        }
+    }
+}
+
+/// The reflectance against the exact reference over the scene's ranges.
+pub fn against_reference(shading: &Shading, count: usize) -> Result<Difference, crate::media::MediaError> {
+    let quantity = ShadingQuantity::Reflectance;
+    let points = spread(&shading.inputs(quantity), count, 1);
+    let expected = shading.reference_each(quantity, &points)?;
+    Ok(Difference::between(&shading.evaluate_each(quantity, &points), &expected, 3))
+}

@@ -1,0 +1,60 @@
+//! Where output goes: standard output and files. Files are written whole or not at all.
+
+use super::failure::Failure;
+use std::io::Write;
+use std::path::Path;
+
+/// Prints to standard output.
+pub fn print(text: &str) -> Result<(), Failure> {
+    write_or_print(None, text.as_bytes())
+}
+
+/// Says something beside the output.
+#[allow(clippy::print_stderr)]
+pub fn warn(message: &str) {
+    eprintln!("warning: {message}");
+}
+
+/// Writes a file beside its place and then moves it there.
+pub fn write(path: &Path, bytes: &[u8]) -> Result<(), Failure> {
+    let folder = match path.parent() {
+        Some(folder) if !folder.as_os_str().is_empty() => folder,
+        _ => Path::new("."),
+    };
+    let written = tempfile::Builder::new().prefix(".pavo-").tempfile_in(folder).and_then(|mut file| {
+        file.write_all(bytes)?;
+        make_readable(file.as_file())?;
+        file.persist(path).map_err(|error| error.error)?;
+        Ok(())
+    });
+    written.map_err(|error| Failure::file(path, "written", &error))
+}
+
+/// Gives a temporary file the permissions of an ordinary one.
+#[cfg(unix)]
+fn make_readable(file: &std::fs::File) -> std::io::Result<()> {
+    use std::os::unix::fs::PermissionsExt;
+    file.set_permissions(std::fs::Permissions::from_mode(0o644))
+}
+
+#[cfg(not(unix))]
+fn make_readable(_: &std::fs::File) -> std::io::Result<()> {
+    Ok(())
+}
+
+/// Writes to a file, or to standard output where none is named. A reader that has gone away ends the output without
+/// an error.
+pub fn write_or_print(path: Option<&Path>, bytes: &[u8]) -> Result<(), Failure> {
+    match path {
+        Some(path) => write(path, bytes),
+        None => {
+            let mut output = std::io::stdout().lock();
+            match output.write_all(bytes).and_then(|()| output.flush()) {
+                Err(error) if error.kind() != std::io::ErrorKind::BrokenPipe => {
+                    Err(Failure::check(format!("standard output cannot be written: {error}")))
+                }
+                _ => Ok(()),
+            }
+        }
+    }
+}

@@ -1,0 +1,106 @@
+//! From the arguments to a surface, and from a surface to judged shaders.
+
+use super::command_line;
+use super::failure::Failure;
+use super::output;
+use crate::inputs::ShadingQuantity;
+use crate::scene::Scene;
+use crate::shading::Shading;
+use crate::target::Target;
+use crate::variant::Variant;
+use crate::{compute, fragment, library};
+use pavo_check::{CheckError, Verdict, judge_spirv, judge_text, wgsl_to_spirv};
+use pavo_emit::{Form, Language};
+use std::path::{Path, PathBuf};
+
+/// A scene from its file, with the variant that the arguments or the scene name.
+pub struct Source {
+    /// Where the scene was read.
+    pub path: PathBuf,
+    /// The surface.
+    pub shading: Shading,
+}
+
+impl Source {
+    /// Reads a scene and makes its surface, and says what there is to warn of.
+    pub fn load(path: &Path, variant: Option<&str>) -> Result<Self, Failure> {
+        let scene = Scene::load(path)?;
+        let variant: Variant = variant.unwrap_or(&scene.emit.variant).parse()?;
+        let shading = Shading::new(&scene, &variant)?;
+        for warning in shading.warnings() {
+            output::warn(&warning);
+        }
+        Ok(Self { path: path.to_owned(), shading })
+    }
+
+    /// Emits one target in a form and has it judged.
+    pub fn emit(&self, target: Target, form: Form, quantity: ShadingQuantity) -> Result<Emitted, Failure> {
+        let shading = &self.shading;
+        let command = command_line::emit(&self.path, target, shading.variant(), form, quantity);
+        let scene = &shading.scene().name;
+        let suffix = if form == target.default_form() { String::new() } else { format!("-{}", form.name()) };
+        let file = format!("{scene}{suffix}.{}", target.extension());
+        let text = |language: Language| match form {
+            Form::Library => Ok(library(shading, language, &command)),
+            Form::Compute => compute(shading, quantity, language, &command),
+            Form::Fragment => fragment(shading, language, &command),
+        };
+        let (bytes, verdicts) = match target {
+            Target::Text(language) => {
+                let text = text(language)?;
+                let verdicts =
+                    judge_text(language, form, &file, &text).map_err(|error| refused(&file, &text, error))?;
+                (text.into_bytes(), verdicts)
+            }
+            Target::Spirv | Target::SpirvAssembly if form == Form::Library => {
+                return Err(Failure::input(
+                    "SPIR-V without an entry point is not valid for Vulkan",
+                    "use --form compute or --form fragment; for functions alone use --target wgsl or a GLSL",
+                ));
+            }
+            Target::Spirv | Target::SpirvAssembly => {
+                let source = text(Language::Wgsl)?;
+                let words = wgsl_to_spirv(&file, &source).map_err(|error| refused(&file, &source, error))?;
+                let verdicts = vec![judge_spirv(&file, &words)?];
+                let bytes = if target == Target::Spirv {
+                    words.iter().flat_map(|word| word.to_le_bytes()).collect()
+                } else {
+                    let header: String = source
+                        .lines()
+                        .take_while(|line| line.starts_with("//"))
+                        .fold(String::new(), |header, line| header + &line.replacen("//", ";", 1) + "\n");
+                    (header + &pavo_check::disassemble(&words)?).into_bytes()
+                };
+                (bytes, verdicts)
+            }
+        };
+        Ok(Emitted { target, form, file, bytes, verdicts })
+    }
+}
+
+/// A shader that passed its judges.
+pub struct Emitted {
+    /// The target.
+    pub target: Target,
+    /// The form.
+    pub form: Form,
+    /// The name of its file.
+    pub file: String,
+    /// Its content.
+    pub bytes: Vec<u8>,
+    /// What the judges said.
+    pub verdicts: Vec<Verdict>,
+}
+
+/// A refusal with the lines of the text that it speaks of.
+fn refused(file: &str, text: &str, error: CheckError) -> Failure {
+    let lines: Vec<String> = error
+        .diagnostics()
+        .filter_map(|diagnostic| diagnostic.line)
+        .filter_map(|line| text.lines().nth(line as usize - 1).map(|content| format!("{file}:{line}: {content}")))
+        .collect();
+    if lines.is_empty() {
+        return error.into();
+    }
+    Failure::check(format!("{error}\n{}", lines.join("\n")))
+}

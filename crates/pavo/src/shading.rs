@@ -1,0 +1,441 @@
+//! A scene and a variant together: a surface that can be evaluated, and recorded as a graph.
+
+use crate::inputs::{GraphReader, InputList, InputReader, PointReader, ShadingQuantity};
+use crate::media::{self, MediaError};
+use crate::scene::{Base, ColourQuantity, Quantity, Scene, VisibilityK};
+use crate::variant::{Fit, Variant};
+use miette::Diagnostic;
+use pavo_optics::surface::{brdf_of_reflectance, shade_surface, surface_brdf, surface_radiance, surface_reflectance};
+use pavo_optics::{
+    BaseKind, Directions, Film, Finish, GaussianFit, GaussianTerm, Geometry, Layers, Light, Method, SpectralNode,
+    Specular, Surface, light::punctual_light,
+};
+use pavo_shade::{Graph, Input, Program, Rate, Scalar, Vector};
+use pavo_spectra::{OpticalConstants, Point, Reference, Sensitivities, Stack, gaussian};
+use rayon::prelude::*;
+use thiserror::Error;
+
+const FIRST_WAVELENGTH_NM: f64 = 380.0;
+const LAST_WAVELENGTH_NM: f64 = 780.0;
+
+/// Why a scene and a variant do not go together.
+#[derive(Debug, Error, Diagnostic)]
+pub enum ShadingError {
+    /// The data behind the scene's names cannot be had.
+    #[error(transparent)]
+    #[diagnostic(transparent)]
+    Media(#[from] MediaError),
+    /// The variant cannot be made for this scene.
+    #[error("the variant {variant} cannot be made for the scene {scene}: {cause}")]
+    #[diagnostic(code(pavo::variant), help("{help}"))]
+    Variant {
+        /// The variant.
+        variant: String,
+        /// The scene.
+        scene: String,
+        /// What is in the way.
+        cause: String,
+        /// What would be right.
+        help: String,
+    },
+}
+
+/// A surface with a method: evaluated on the CPU, or recorded as a graph.
+#[derive(Clone, Debug)]
+pub struct Shading {
+    scene: Scene,
+    variant: Variant,
+    surface: Surface,
+    sensitivities: Sensitivities,
+    dispersive_base: Option<OpticalConstants>,
+}
+
+impl Shading {
+    /// The surface of a scene by the method of a variant.
+    ///
+    /// # Errors
+    /// If a file of the scene cannot be read, or the variant is not made for its colours.
+    pub fn new(scene: &Scene, variant: &Variant) -> Result<Self, ShadingError> {
+        let sensitivities = media::sensitivities(&scene.colour)?;
+        let dispersive_base = media::dispersive_base(scene)?;
+        let refuse = |cause: String, help: &str| ShadingError::Variant {
+            variant: variant.to_string(),
+            scene: scene.name.clone(),
+            cause,
+            help: help.to_owned(),
+        };
+        let method = match variant {
+            Variant::Series { order, fit: Fit::XyzGauss } => {
+                let gaussians = gaussian::belcour_barla(sensitivities.observer(), sensitivities.space())
+                    .map_err(|error| refuse(error.to_string(), "use spectral:n=81, which fits every observer"))?;
+                let term = |gaussian: &gaussian::Gaussian| GaussianTerm {
+                    angular_wave_number: gaussian.angular_wave_number,
+                    decay: gaussian.decay,
+                    weight: gaussian.weight,
+                };
+                Method::Series { order: *order, fit: GaussianFit { terms: gaussians.iter().map(term).collect() } }
+            }
+            Variant::Spectral { count } => {
+                let nodes = spectral_nodes(&sensitivities, dispersive_base.as_ref(), *count)
+                    .map_err(|cause| refuse(cause, "take more wavelengths, for example spectral:n=16"))?;
+                Method::Spectral { nodes }
+            }
+        };
+        let surface = Surface {
+            specular: specular(scene, method, &sensitivities, dispersive_base.as_ref()),
+            diffuse: scene.surface.diffuse,
+            visibility_k: match scene.surface.visibility_k {
+                VisibilityK::Punctual => pavo_optics::VisibilityK::Punctual,
+                VisibilityK::ImageBased => pavo_optics::VisibilityK::ImageBased,
+                VisibilityK::Value(_) => pavo_optics::VisibilityK::Given,
+            },
+        };
+        Ok(Self { scene: scene.clone(), variant: *variant, surface, sensitivities, dispersive_base })
+    }
+
+    /// The scene.
+    pub fn scene(&self) -> &Scene {
+        &self.scene
+    }
+
+    /// The variant.
+    pub fn variant(&self) -> &Variant {
+        &self.variant
+    }
+
+    /// What should be said of the data: where they do not reach over the visible range.
+    pub fn warnings(&self) -> Vec<String> {
+        let base = self.dispersive_base.as_ref();
+        base.map(|base| base.warnings_for_range(FIRST_WAVELENGTH_NM, LAST_WAVELENGTH_NM)).unwrap_or_default()
+    }
+
+    /// The run-time inputs of a quantity, in the order in which a point gives them.
+    pub fn inputs(&self, quantity: ShadingQuantity) -> Vec<Input> {
+        let mut list = InputList::default();
+        self.run::<f64>(quantity, &mut list);
+        list.inputs
+    }
+
+    /// The colour at one point in `f64`: a number for each component of each input.
+    pub fn evaluate(&self, quantity: ShadingQuantity, point: &[f64]) -> [f64; 3] {
+        self.run::<f64>(quantity, &mut PointReader { numbers: point.iter() }).to_array()
+    }
+
+    /// The colours at many points in `f64`, on all cores.
+    pub fn evaluate_each(&self, quantity: ShadingQuantity, points: &[Vec<f64>]) -> Vec<[f64; 3]> {
+        points.par_iter().map(|point| self.evaluate(quantity, point)).collect()
+    }
+
+    /// The colours at many points in `f32`, on all cores.
+    pub fn evaluate_each_f32(&self, quantity: ShadingQuantity, points: &[Vec<f32>]) -> Vec<[f32; 3]> {
+        let evaluate = |point: &Vec<f32>| self.run::<f32>(quantity, &mut PointReader { numbers: point.iter() });
+        points.par_iter().map(|point| evaluate(point).to_array()).collect()
+    }
+
+    /// The program that computes a quantity.
+    pub fn program(&self, quantity: ShadingQuantity) -> Program {
+        let graph = Graph::new();
+        let value = self.run(quantity, &mut GraphReader { graph: &graph });
+        graph.output(quantity.name(), value.as_vec3());
+        graph.program()
+    }
+
+    /// The program of the fragment entry: the mirrored share of the surroundings, and the radiance of a punctual light
+    /// where the scene has them.
+    pub fn sphere_program(&self) -> Program {
+        let graph = Graph::new();
+        let mut reader = GraphReader { graph: &graph };
+        let cosine = reader.number("n_dot_v", "", [0.0, 1.0], Rate::Pixel);
+        let directions = self.scene.lights.punctual.then(|| directions(&mut reader));
+        let layers = self.layers(&mut reader);
+        let finish = self.finish(&mut reader);
+        let mirrored = surface_reflectance(&self.surface, cosine, layers, finish.base_color, finish.metalness);
+        graph.output("mirrored", mirrored.as_vec3());
+        if let Some(directions) = directions {
+            let light = light(&mut reader);
+            graph.output("radiance", shade_surface(&self.surface, directions, layers, finish, light).as_vec3());
+        }
+        graph.program()
+    }
+
+    /// The colours at many points by the exact spectral reference: the film's reflectance integrated over the
+    /// spectrum, the rest of the surface in `f64`.
+    ///
+    /// # Errors
+    /// If an index of a point is no index.
+    pub fn reference_each(&self, quantity: ShadingQuantity, points: &[Vec<f64>]) -> Result<Vec<[f64; 3]>, MediaError> {
+        let reference = Reference::new(&self.sensitivities);
+        let fixed_stack = self.fixed_stack()?;
+        let prepared = fixed_stack.as_ref().map(|stack| reference.prepare(stack));
+        points
+            .par_iter()
+            .map(|point| {
+                let mut reader = PointReader { numbers: point.iter() };
+                let geometry = geometry(quantity, &mut reader);
+                let layers = self.layers(&mut reader);
+                let finish = self.finish_of(quantity, &mut reader);
+                let at = Point::new(geometry.cos_theta1, layers.thickness_nm);
+                let reflectance = match (&prepared, &self.scene.base) {
+                    (Some(prepared), _) => prepared.reflectance(at),
+                    (None, Base::Metalness) => {
+                        let base = finish.base_color.to_array().map(|color| {
+                            let specular = 0.04 + (color - 0.04) * finish.metalness;
+                            index_of_normal_reflectance(specular) * layers.ambient_ior
+                        });
+                        reference.reflectance_per_channel(layers.ambient_ior, layers.film_ior, base, at)
+                    }
+                    (None, _) => reference.reflectance(&self.stack(layers)?, at),
+                };
+                Ok(self.of_reflectance(quantity, reflectance.into(), geometry, finish, &mut reader).to_array())
+            })
+            .collect()
+    }
+
+    /// The media at a point.
+    fn stack(&self, layers: Layers<f64>) -> Result<Stack, MediaError> {
+        let data = |error: &dyn std::fmt::Display| MediaError::Data { message: error.to_string() };
+        let film = OpticalConstants::constant(layers.film_ior, 0.0).map_err(|error| data(&error))?;
+        let base = match &self.dispersive_base {
+            Some(base) => base.clone(),
+            None => OpticalConstants::constant(layers.base_ior, layers.base_kappa).map_err(|error| data(&error))?,
+        };
+        Stack::new(layers.ambient_ior, film, base).map_err(|error| data(&error))
+    }
+
+    /// The media, where all points have the same.
+    fn fixed_stack(&self) -> Result<Option<Stack>, MediaError> {
+        let mut list = InputList::default();
+        let layers = self.layers::<f64>(&mut list);
+        let varies = list.inputs.iter().any(|input| input.name != "thickness_nm");
+        if varies || self.scene.base == Base::Metalness { Ok(None) } else { self.stack(layers).map(Some) }
+    }
+
+    /// Evaluates a quantity on any number type.
+    fn run<S: Scalar>(&self, quantity: ShadingQuantity, reader: &mut impl InputReader<S>) -> S::Vec3 {
+        if quantity == ShadingQuantity::Directions {
+            let directions = directions(reader);
+            let layers = self.layers(reader);
+            let finish = self.finish(reader);
+            return shade_surface::<S>(&self.surface, directions, layers, finish, light(reader));
+        }
+        let geometry = geometry(quantity, reader);
+        let layers = self.layers(reader);
+        let finish = self.finish_of(quantity, reader);
+        match quantity {
+            ShadingQuantity::Reflectance => {
+                let Finish { base_color, metalness, .. } = finish;
+                surface_reflectance::<S>(&self.surface, geometry.cos_theta1, layers, base_color, metalness)
+            }
+            ShadingQuantity::Brdf => surface_brdf::<S>(&self.surface, geometry, layers, finish),
+            _ => surface_radiance::<S>(&self.surface, geometry, layers, finish, light(reader)),
+        }
+    }
+
+    /// The quantity of a surface that mirrors this much.
+    fn of_reflectance(
+        &self,
+        quantity: ShadingQuantity,
+        reflectance: glam::DVec3,
+        geometry: Geometry<f64>,
+        finish: Finish<f64>,
+        reader: &mut PointReader<'_, f64>,
+    ) -> glam::DVec3 {
+        if quantity == ShadingQuantity::Reflectance {
+            return reflectance;
+        }
+        let brdf = brdf_of_reflectance::<f64>(&self.surface, reflectance, geometry, finish);
+        if quantity == ShadingQuantity::Brdf {
+            return brdf;
+        }
+        let light = light::<f64>(reader);
+        punctual_light::<f64>(brdf, geometry.n_dot_l, light.light_color, light.light_intensity)
+    }
+
+    fn layers<S: Scalar>(&self, reader: &mut impl InputReader<S>) -> Layers<S> {
+        let scene = &self.scene;
+        let (thickness, film_ior) = match scene.film {
+            Some(film) => (film.thickness_nm, film.ior),
+            None => (Quantity::Fixed(0.0), Quantity::Fixed(1.0)),
+        };
+        let (base_ior, base_kappa) = match scene.base {
+            Base::Dielectric { ior } => (ior, Quantity::Fixed(0.0)),
+            Base::Conductor { ior, kappa } => (ior, kappa),
+            Base::Metal { .. } | Base::Table { .. } | Base::Metalness => (Quantity::Fixed(1.0), Quantity::Fixed(0.0)),
+        };
+        Layers {
+            thickness_nm: number(reader, thickness, "thickness_nm", "nm", Rate::Pixel),
+            ambient_ior: number(reader, scene.ambient.ior, "ambient_ior", "", Rate::Material),
+            film_ior: number(reader, film_ior, "film_ior", "", Rate::Material),
+            base_ior: number(reader, base_ior, "base_ior", "", Rate::Material),
+            base_kappa: number(reader, base_kappa, "base_kappa", "", Rate::Material),
+        }
+    }
+
+    fn finish<S: Scalar>(&self, reader: &mut impl InputReader<S>) -> Finish<S> {
+        let surface = &self.scene.surface;
+        let visibility_k = match surface.visibility_k {
+            VisibilityK::Value(value) => value,
+            _ => Quantity::Fixed(0.0),
+        };
+        Finish {
+            roughness: number(reader, surface.roughness, "roughness", "", Rate::Material),
+            base_color: self.base_color(reader),
+            metalness: number(reader, self.metalness(), "metalness", "", Rate::Material),
+            visibility_k: number(reader, visibility_k, "visibility_k", "", Rate::Material),
+        }
+    }
+
+    /// Only what the quantity needs: the reflectance of a film on a given base needs no finish.
+    fn finish_of<S: Scalar>(&self, quantity: ShadingQuantity, reader: &mut impl InputReader<S>) -> Finish<S> {
+        if quantity != ShadingQuantity::Reflectance {
+            return self.finish(reader);
+        }
+        let zero = S::lit(0.0);
+        let (base_color, metalness) = match self.scene.base {
+            Base::Metalness => {
+                (self.base_color(reader), number(reader, self.metalness(), "metalness", "", Rate::Material))
+            }
+            _ => (S::Vec3::splat(zero), zero),
+        };
+        Finish { roughness: zero, base_color, metalness, visibility_k: zero }
+    }
+
+    fn base_color<S: Scalar>(&self, reader: &mut impl InputReader<S>) -> S::Vec3 {
+        match self.scene.surface.base_color {
+            Some(ColourQuantity::Input) => reader.vector("base_color", [0.0, 1.0], Rate::Material),
+            Some(ColourQuantity::Fixed(color)) => S::Vec3::lit3(color),
+            None => S::Vec3::splat(S::lit(0.0)),
+        }
+    }
+
+    fn metalness(&self) -> Quantity {
+        self.scene.surface.metalness.unwrap_or(Quantity::Fixed(0.0))
+    }
+}
+
+/// A fixed number, or an input over its range.
+fn number<S: Scalar>(reader: &mut impl InputReader<S>, quantity: Quantity, name: &str, unit: &str, rate: Rate) -> S {
+    match quantity {
+        Quantity::Fixed(value) => S::lit(value),
+        Quantity::Range { low, high } => reader.number(name, unit, [low, high], rate),
+    }
+}
+
+fn geometry<S: Scalar>(quantity: ShadingQuantity, reader: &mut impl InputReader<S>) -> Geometry<S> {
+    let mut cosine = |name: &str| reader.number(name, "", [0.0, 1.0], Rate::Pixel);
+    if quantity == ShadingQuantity::Reflectance {
+        let zero = S::lit(0.0);
+        return Geometry { n_dot_l: zero, n_dot_v: zero, n_dot_h: zero, cos_theta1: cosine("cos_theta1") };
+    }
+    Geometry {
+        n_dot_l: cosine("n_dot_l"),
+        n_dot_v: cosine("n_dot_v"),
+        n_dot_h: cosine("n_dot_h"),
+        cos_theta1: cosine("cos_theta1"),
+    }
+}
+
+fn directions<S: Scalar>(reader: &mut impl InputReader<S>) -> Directions<S> {
+    let mut direction = |name: &str| reader.vector(name, [-1.0, 1.0], Rate::Pixel);
+    Directions {
+        normal: direction("normal"),
+        light_direction: direction("light_direction"),
+        view_direction: direction("view_direction"),
+    }
+}
+
+fn light<S: Scalar>(reader: &mut impl InputReader<S>) -> Light<S> {
+    Light {
+        light_color: reader.vector("light_color", [0.0, 1.0], Rate::Material),
+        light_intensity: reader.number("light_intensity", "", [0.0, 10.0], Rate::Material),
+    }
+}
+
+fn specular(
+    scene: &Scene,
+    method: Method,
+    sensitivities: &Sensitivities,
+    dispersive: Option<&OpticalConstants>,
+) -> Specular {
+    let kind = match scene.base {
+        Base::Conductor { .. } | Base::Metal { .. } | Base::Table { .. } => BaseKind::Conductor,
+        Base::Dielectric { ior } => BaseKind::Dielectric { total_reflection: ior.low() < scene.ambient.ior.high() },
+        // The base's index comes from its reflectance in the ambient medium, so it is never the smaller one.
+        Base::Metalness => BaseKind::Dielectric { total_reflection: false },
+    };
+    let Some(film) = scene.film else {
+        return match (&scene.base, method, dispersive) {
+            (Base::Metalness, ..) => Specular::BareMetalness,
+            (_, Method::Spectral { nodes }, Some(_)) => Specular::BareSpectral(nodes),
+            (_, _, Some(base)) => {
+                let nodes = spectral_nodes(sensitivities, Some(base), 81);
+                nodes.map_or(Specular::Bare(kind), Specular::BareSpectral)
+            }
+            (_, _, None) => Specular::Bare(kind),
+        };
+    };
+    let is_series = matches!(method, Method::Series { .. });
+    let film = Film {
+        base: kind,
+        total_reflection: film.ior.low() < scene.ambient.ior.high(),
+        method,
+        channel_wavelengths_nm: channel_wavelengths(sensitivities),
+    };
+    match (&scene.base, dispersive) {
+        (Base::Metalness, _) => Specular::FilmOnMetalness(film),
+        (_, Some(base)) if is_series => {
+            let [base_ior, base_kappa] = channel_index(sensitivities, base);
+            Specular::FilmOnChannels { film, base_ior, base_kappa }
+        }
+        _ => Specular::Film(film),
+    }
+}
+
+/// Equally spaced wavelengths with the sensitivities as weights, and the base's index at each.
+fn spectral_nodes(
+    sensitivities: &Sensitivities,
+    base: Option<&OpticalConstants>,
+    count: usize,
+) -> Result<Vec<SpectralNode>, String> {
+    let step = (LAST_WAVELENGTH_NM - FIRST_WAVELENGTH_NM) / (count - 1) as f64;
+    let wavelengths: Vec<f64> = (0..count).map(|index| FIRST_WAVELENGTH_NM + step * index as f64).collect();
+    let weights = sensitivities.normalised_weights(&wavelengths).map_err(|error| error.to_string())?;
+    let node = |(wavelength_nm, weight): (&f64, [f64; 3])| SpectralNode {
+        wavelength_nm: *wavelength_nm,
+        weight,
+        base: base.map(|base| base.extended_at(*wavelength_nm)),
+    };
+    Ok(wavelengths.iter().zip(weights).map(node).collect())
+}
+
+/// The wavelength at the centre of each channel's sensitivity.
+fn channel_wavelengths(sensitivities: &Sensitivities) -> [f64; 3] {
+    let wavelengths = pavo_spectra::wavelength::fine_grid();
+    std::array::from_fn(|channel| {
+        let positive = sensitivities.fine_weights().iter().map(|weight| weight[channel].max(0.0));
+        let (sum, moment) = positive
+            .zip(wavelengths.iter())
+            .fold((0.0, 0.0), |(sum, moment), (weight, wavelength)| (sum + weight, moment + weight * wavelength));
+        moment / sum
+    })
+}
+
+/// The index of a material as each channel sees it: its mean over the channel's sensitivity.
+fn channel_index(sensitivities: &Sensitivities, base: &OpticalConstants) -> [[f64; 3]; 2] {
+    let mut means = [[0.0; 3]; 2];
+    for (wavelength, weight) in pavo_spectra::wavelength::fine_grid().iter().zip(sensitivities.fine_weights()) {
+        let (n, k) = base.extended_at(*wavelength);
+        for channel in 0..3 {
+            means[0][channel] += n * weight[channel];
+            means[1][channel] += k * weight[channel];
+        }
+    }
+    means
+}
+
+/// The index relative to the ambient medium that reflects this much at normal incidence, held where the fast methods
+/// hold it.
+fn index_of_normal_reflectance(reflectance: f64) -> f64 {
+    let amplitude = reflectance.max(0.0).sqrt().min(0.9999);
+    (1.0 + amplitude) / (1.0 - amplitude)
+}

@@ -1,0 +1,222 @@
+//! The variant: by which method, and with which options, a colour is computed.
+
+use std::fmt;
+use std::str::FromStr;
+use thiserror::Error;
+
+/// A fit of the sensitivities that the series uses.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Fit {
+    /// The four Gaussians over X, Y and Z of Belcour and Barla 2017.
+    XyzGauss,
+}
+
+impl Fit {
+    /// All fits with their names.
+    pub const ALL: [(&'static str, Fit); 1] = [("xyz-gauss", Fit::XyzGauss)];
+
+    fn name(self) -> &'static str {
+        let named = Self::ALL.iter().find(|(_, fit)| *fit == self);
+        named.expect("each fit has a name").0
+    }
+}
+
+/// A method with its options, written `family:option=value,option=value`.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Variant {
+    /// `series:m=M,fit=F`: the series over orders of interference, up to order M.
+    Series {
+        /// The highest order.
+        order: usize,
+        /// The sensitivities.
+        fit: Fit,
+    },
+    /// `spectral:n=N`: the exact reflectance at N wavelengths from 380 to 780 nm, equally spaced.
+    Spectral {
+        /// How many wavelengths.
+        count: usize,
+    },
+}
+
+/// A text that is no variant.
+#[derive(Clone, Debug, PartialEq, Eq, Error)]
+#[error("{message}")]
+pub struct VariantError {
+    message: String,
+    help: String,
+}
+
+impl VariantError {
+    /// What would be right.
+    pub fn help(&self) -> &str {
+        &self.help
+    }
+}
+
+/// The families with their options: name, smallest and largest number (or the words), default.
+struct Family {
+    name: &'static str,
+    options: &'static [OptionRow],
+}
+
+struct OptionRow {
+    name: &'static str,
+    /// The range of a number; nothing for a fit.
+    range: Option<(usize, usize)>,
+    default: &'static str,
+}
+
+const FAMILIES: [Family; 2] = [
+    Family {
+        name: "series",
+        options: &[
+            OptionRow { name: "m", range: Some((1, 32)), default: "3" },
+            OptionRow { name: "fit", range: None, default: "xyz-gauss" },
+        ],
+    },
+    Family { name: "spectral", options: &[OptionRow { name: "n", range: Some((2, 512)), default: "81" }] },
+];
+
+impl Variant {
+    /// Variants to choose from where nothing says which.
+    pub fn candidates() -> Vec<Variant> {
+        let series = [1, 2, 3, 4, 6, 8].map(|order| Variant::Series { order, fit: Fit::XyzGauss });
+        let spectral = [8, 16, 32, 81].map(|count| Variant::Spectral { count });
+        series.into_iter().chain(spectral).collect()
+    }
+}
+
+impl fmt::Display for Variant {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Variant::Series { order, fit } => write!(f, "series:m={order},fit={}", fit.name()),
+            Variant::Spectral { count } => write!(f, "spectral:n={count}"),
+        }
+    }
+}
+
+impl FromStr for Variant {
+    type Err = VariantError;
+
+    fn from_str(text: &str) -> Result<Self, VariantError> {
+        let (name, rest) = text.trim().split_once(':').unwrap_or((text.trim(), ""));
+        let Some(family) = FAMILIES.iter().find(|family| family.name == name) else {
+            let known: Vec<&str> = FAMILIES.iter().map(|family| family.name).collect();
+            return Err(VariantError {
+                message: format!("unknown method `{}` in the variant `{}`", shown(name), shown(text)),
+                help: format!("the methods are {}; for example series:m=3,fit=xyz-gauss", known.join(", ")),
+            });
+        };
+        let given = options(text, family, rest)?;
+        let value = |wanted: &str| -> &str {
+            let row = family.options.iter().find(|row| row.name == wanted);
+            let default = row.map_or("", |row| row.default);
+            given.iter().find(|(name, _)| *name == wanted).map_or(default, |(_, value)| value)
+        };
+        match family.name {
+            "series" => {
+                Ok(Variant::Series { order: number(text, family, "m", value("m"))?, fit: fit(text, value("fit"))? })
+            }
+            _ => Ok(Variant::Spectral { count: number(text, family, "n", value("n"))? }),
+        }
+    }
+}
+
+/// The options of a variant, each known to the family and given once.
+fn options<'a>(text: &str, family: &Family, rest: &'a str) -> Result<Vec<(&'a str, &'a str)>, VariantError> {
+    let known: Vec<String> = family.options.iter().map(|row| format!("{}={}", row.name, row.default)).collect();
+    let help = format!("{} takes {}", family.name, known.join(","));
+    let mut given: Vec<(&str, &str)> = Vec::new();
+    for part in rest.split(',').filter(|part| !part.is_empty()) {
+        let refuse = |message: String| Err(VariantError { message, help: help.clone() });
+        let Some((name, value)) = part.split_once('=') else {
+            return refuse(format!("the option `{}` in the variant `{}` has no value", shown(part), shown(text)));
+        };
+        if !family.options.iter().any(|row| row.name == name) {
+            return refuse(format!("unknown option `{}` in the variant `{}`", shown(name), shown(text)));
+        }
+        if given.iter().any(|(other, _)| *other == name) {
+            return refuse(format!("the option `{name}` stands twice in the variant `{}`", shown(text)));
+        }
+        given.push((name, value));
+    }
+    Ok(given)
+}
+
+fn number(text: &str, family: &Family, name: &str, value: &str) -> Result<usize, VariantError> {
+    let range = family.options.iter().find(|row| row.name == name).and_then(|row| row.range);
+    let (low, high) = range.unwrap_or((0, 0));
+    match value.parse::<usize>() {
+        Ok(number) if (low..=high).contains(&number) => Ok(number),
+        _ => Err(VariantError {
+            message: format!("`{name}={}` in the variant `{}` is out of range", shown(value), shown(text)),
+            help: format!("{name} is a whole number from {low} to {high}"),
+        }),
+    }
+}
+
+fn fit(text: &str, value: &str) -> Result<Fit, VariantError> {
+    let found = Fit::ALL.iter().find(|(name, _)| *name == value);
+    found.map(|(_, fit)| *fit).ok_or_else(|| VariantError {
+        message: format!("unknown fit `{}` in the variant `{}`", shown(value), shown(text)),
+        help: format!("the fits are {}", Fit::ALL.map(|(name, _)| name).join(", ")),
+    })
+}
+
+/// User text in a message: short, and without control characters.
+fn shown(text: &str) -> String {
+    let mut shown: String = text.chars().take(60).flat_map(char::escape_debug).collect();
+    if text.chars().count() > 60 {
+        shown.push('…');
+    }
+    shown
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Fit, Variant};
+
+    #[test]
+    fn variants_are_read_and_written_back() {
+        let cases = [
+            ("series:m=3,fit=xyz-gauss", Variant::Series { order: 3, fit: Fit::XyzGauss }),
+            ("series:fit=xyz-gauss,m=5", Variant::Series { order: 5, fit: Fit::XyzGauss }),
+            ("series", Variant::Series { order: 3, fit: Fit::XyzGauss }),
+            ("spectral:n=16", Variant::Spectral { count: 16 }),
+            ("spectral", Variant::Spectral { count: 81 }),
+        ];
+        for (text, expected) in cases {
+            assert_eq!(text.parse(), Ok(expected), "{text}");
+            assert_eq!(expected.to_string().parse(), Ok(expected), "{expected}");
+        }
+    }
+
+    #[test]
+    fn what_is_no_variant_is_refused_with_help() {
+        let cases = [
+            ("", "unknown method ``", "series, spectral"),
+            ("sereis:m=3", "unknown method `sereis`", "series, spectral"),
+            ("series:m=0", "`m=0`", "from 1 to 32"),
+            ("series:m=33", "`m=33`", "from 1 to 32"),
+            ("series:m=-1", "`m=-1`", "from 1 to 32"),
+            ("series:m", "`m` in the variant `series:m` has no value", "series takes m=3,fit=xyz-gauss"),
+            ("series:k=3", "unknown option `k`", "series takes"),
+            ("series:m=3,m=4", "`m` stands twice", "series takes"),
+            ("series:fit=rgb", "unknown fit `rgb`", "xyz-gauss"),
+            ("spectral:n=1", "`n=1`", "from 2 to 512"),
+            ("spectral:n=99999999999999999999", "`n=99999999999999999999`", "from 2 to 512"),
+        ];
+        for (text, message, help) in cases {
+            let error = text.parse::<Variant>().expect_err(text);
+            assert!(error.to_string().contains(message), "{text}: {error}");
+            assert!(error.help().contains(help), "{text}: {}", error.help());
+        }
+    }
+
+    #[test]
+    fn candidates_are_all_readable() {
+        for candidate in Variant::candidates() {
+            assert_eq!(candidate.to_string().parse(), Ok(candidate));
+        }
+    }
+}
