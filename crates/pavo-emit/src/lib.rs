@@ -8,6 +8,7 @@ pub mod dialect;
 mod entry;
 mod expression;
 mod function;
+mod lines;
 mod literal;
 mod namer;
 mod passing;

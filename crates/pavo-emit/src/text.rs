@@ -3,6 +3,7 @@
 use crate::Options;
 use crate::dialect::{Dialect, Syntax};
 use crate::function::{self, Body, Context};
+use crate::lines::broken_line;
 use crate::namer::Namer;
 use crate::passing::structs_passed;
 use pavo_shade::{Definition, Program, Type};
@@ -142,38 +143,10 @@ fn function(context: &Context<'_>, definition: &Definition, index: usize) -> Str
     text.push_str(&function::head(context.dialect, &context.functions[index], &head, &result));
     text.push('\n');
     for statement in statements.iter().chain([&format!("return {value};")]) {
-        text.push_str(&indent(&broken(statement)));
+        text.push_str(&indent(&broken_line(statement, WIDTH - 4)));
     }
     text.push_str("}\n");
     text
-}
-
-/// A long statement that is one call, with an argument on each line.
-fn broken(statement: &str) -> String {
-    if statement.len() + 4 <= WIDTH || !statement.ends_with(");") {
-        return statement.to_owned();
-    }
-    let Some(open) = statement.find('(') else { return statement.to_owned() };
-    let inside = &statement[open + 1..statement.len() - 2];
-    let mut depth = 0_i32;
-    let mut arguments = vec![String::new()];
-    for character in inside.chars() {
-        depth += match character {
-            '(' | '[' => 1,
-            ')' | ']' => -1,
-            _ => 0,
-        };
-        if depth < 0 {
-            return statement.to_owned();
-        }
-        if depth == 0 && character == ',' {
-            arguments.push(String::new());
-        } else if let Some(argument) = arguments.last_mut() {
-            argument.push(character);
-        }
-    }
-    let arguments: Vec<&str> = arguments.iter().map(|argument| argument.trim()).collect();
-    format!("{}(\n    {}\n);", &statement[..open], arguments.join(",\n    "))
 }
 
 /// A struct of its fields.

@@ -10,7 +10,7 @@
 //! the film `q2` is imaginary and the sines become hyperbolic: frustrated total reflection.
 
 use crate::wave::NormalComponent;
-use pavo_shade::{Real, shade};
+use pavo_shade::{Real, Value, shade};
 
 /// The terms of Airy's closed form for one polarisation; they do not depend on thickness or wavelength.
 #[shade]
@@ -53,12 +53,12 @@ pub fn airy_terms<R: Real>(
         return AiryTerms { transmitted, offset, contrast, absorption };
     }
     // With q2^2 < 0 numerator and denominator are both negative: turn both, so that the guard is the same.
-    let sign = R::select(q2_squared.less_than(R::lit(0.0)), R::lit(-1.0), R::lit(1.0));
+    let turn = R::select(q2_squared.less_than(R::lit(0.0)), R::lit(-1.0), R::lit(1.0));
     AiryTerms {
-        transmitted: transmitted * sign,
-        offset: offset * sign,
-        contrast: contrast * sign,
-        absorption: absorption * sign,
+        transmitted: transmitted * turn,
+        offset: offset * turn,
+        contrast: contrast * turn,
+        absorption: absorption * turn,
     }
 }
 
@@ -79,7 +79,7 @@ pub fn half_phase<R: Real>(total_reflection: bool, is_total_reflection: R::Mask,
     if !total_reflection {
         return propagating;
     }
-    let evanescent = evanescent_half_phase(phase);
+    let evanescent = evanescent_half_phase(phase).named("evanescent");
     HalfPhase {
         sine_squared: R::select(is_total_reflection, evanescent.sine_squared, propagating.sine_squared),
         sine_cosine: R::select(is_total_reflection, evanescent.sine_cosine, propagating.sine_cosine),
@@ -95,9 +95,13 @@ pub fn evanescent_half_phase<R: Real>(
     decay: R,
 ) -> HalfPhase<R> {
     let growth = decay.min(20.0).exp();
-    let sinh = (growth - 1.0 / growth) * 0.5;
-    let cosh = (growth + 1.0 / growth) * 0.5;
-    HalfPhase { sine_squared: -(sinh * sinh), sine_cosine: -(sinh * cosh) }
+    let shrinkage = 1.0 / growth;
+    let hyperbolic_sine = (growth - shrinkage) * 0.5;
+    let hyperbolic_cosine = (growth + shrinkage) * 0.5;
+    HalfPhase {
+        sine_squared: -(hyperbolic_sine * hyperbolic_sine),
+        sine_cosine: -(hyperbolic_sine * hyperbolic_cosine),
+    }
 }
 
 /// Airy reflectance of the film in unpolarised light at one wavelength, the mean of both polarisations.
@@ -117,8 +121,8 @@ pub fn airy_reflectance<R: Real>(
     /// Half the phase of one round trip in the film, radians.
     phase: R,
 ) -> R {
-    let evanescent = q2_squared.less_than(R::lit(0.0));
-    let half = half_phase(total_reflection, evanescent, phase);
+    let is_total_reflection = q2_squared.less_than(R::lit(0.0));
+    let half = half_phase(total_reflection, is_total_reflection, phase);
     let transmittance = |terms: AiryTerms<R>| {
         let denominator = terms.offset + terms.contrast * half.sine_squared + terms.absorption * half.sine_cosine;
         terms.transmitted / denominator.max(R::lit(1e-30))

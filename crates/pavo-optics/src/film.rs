@@ -80,7 +80,7 @@ pub struct BaseWave<R: Real> {
 /// The wave in the film. Its normal component is kept away from 0, where the phase vanishes with it.
 pub fn film_wave<R: Real>(total_reflection: bool, cos_theta1: R, ambient_ior: R, film_ior: R) -> FilmWave<R> {
     let smallest = R::lit(1e-12);
-    let square = normal_component_squared(cos_theta1, ambient_ior, film_ior);
+    let square = normal_component_squared(cos_theta1, ambient_ior, film_ior).named("q2_squared");
     if !total_reflection {
         let q2_squared = square.max(smallest).named("q2_squared");
         return FilmWave { q2_squared, q2: q2_squared.sqrt().named("q2") };
@@ -98,12 +98,15 @@ pub fn base_wave<R: Real>(base: BaseKind, cos_theta1: R, ambient_ior: R, base_io
             BaseWave { s: q3, p: p_component_absorbing(q3, base_ior, base_kappa).named("q3_p") }
         }
         BaseKind::Dielectric { total_reflection } => {
-            let square = normal_component_squared(cos_theta1, ambient_ior, base_ior);
+            let square = normal_component_squared(cos_theta1, ambient_ior, base_ior).named("q3_squared");
             // Without total reflection the square is a sum of two that are not negative.
             let re = if total_reflection { square.max(zero) } else { square }.sqrt().named("q3");
             let im = if total_reflection { (-square).max(zero).sqrt().named("q3_decay") } else { zero };
-            let scale = R::lit(1.0) / (base_ior * base_ior);
-            BaseWave { s: NormalComponent { re, im }, p: NormalComponent { re: re * scale, im: im * scale } }
+            let scale = (R::lit(1.0) / (base_ior * base_ior)).named("base_scale");
+            BaseWave {
+                s: NormalComponent { re, im },
+                p: NormalComponent { re: (re * scale).named("q3_p"), im: (im * scale).named("q3_p_decay") },
+            }
         }
     }
 }
@@ -117,7 +120,8 @@ pub fn film_terms<S: Scalar, R: Lanes<S> + Value<Leaf = S::Leaf>>(
 ) -> FilmTerms<R> {
     let lanes = R::from_scalar;
     let scale = media.film_p_scale();
-    let (q2_p, q2_p_squared) = (wave.q2 * scale, wave.q2_squared * (scale * scale));
+    let q2_p = (wave.q2 * scale).named("q2_p");
+    let q2_p_squared = (wave.q2_squared * (scale * scale)).named("q2_p_squared");
     let [q1, q1_p] = [media.q1(), media.q1_p()];
     FilmTerms {
         s: airy_terms(total_reflection, lanes(q1), lanes(wave.q2), lanes(wave.q2_squared), base.s).named("s"),
@@ -144,12 +148,12 @@ impl<S: Scalar> Media<S> {
 
     /// The same for p polarisation, over the permittivity.
     pub fn q1_p(self) -> S {
-        self.q1() * (S::lit(1.0) / (self.ambient_ior * self.ambient_ior))
+        (self.q1() * (S::lit(1.0) / (self.ambient_ior * self.ambient_ior))).named("q1_p")
     }
 
     /// What makes a component in the film one for p polarisation: 1 over the permittivity.
     pub fn film_p_scale(self) -> S {
-        S::lit(1.0) / (self.film_ior * self.film_ior)
+        (S::lit(1.0) / (self.film_ior * self.film_ior)).named("film_scale")
     }
 
     /// The wave in the film.
@@ -201,8 +205,8 @@ pub fn film_reflectance<S: Scalar, R: Lanes<S> + Value<Leaf = S::Leaf>>(
             if !film.total_reflection {
                 return series;
             }
-            let evanescent = wave.q2_squared.less_than(0.0);
-            S::Vec3::choose(evanescent, frustrated_reflectance::<S, R>(film, terms, wave, opd_nm), series)
+            let is_total_reflection = wave.q2_squared.less_than(0.0);
+            S::Vec3::choose(is_total_reflection, frustrated_reflectance::<S, R>(film, terms, wave, opd_nm), series)
         }
     }
 }

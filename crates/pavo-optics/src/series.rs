@@ -115,7 +115,7 @@ pub fn series_reflectance<S: Scalar, R: Lanes<S> + Value<Leaf = S::Leaf>>(
     opd_nm: S,
 ) -> S::Vec3 {
     let lanes = R::from_scalar;
-    let q2_p = q2 * media.film_p_scale();
+    let q2_p = (q2 * media.film_p_scale()).named("q2_p");
     let s = series_terms(terms.s, lanes(media.q1()), lanes(q2), base.s).named("series_s");
     let p = series_terms(terms.p, lanes(media.q1_p()), lanes(q2_p), base.p).named("series_p");
     let average = R::lit(1.0) - (s.transmittance + p.transmittance) * R::lit(0.5);
@@ -133,7 +133,7 @@ pub fn series_reflectance<S: Scalar, R: Lanes<S> + Value<Leaf = S::Leaf>>(
         power_p = [power_p_re.named("order_p"), power_p_im.named("order_p_im")];
         let re = power_s[0] + power_p[0];
         let im = power_s[1] + power_p[1];
-        let transform = sensitivity(fit, S::lit(m as f64) * opd_nm).named("sensitivity");
+        let transform = sensitivity(fit, S::lit(m as f64) * opd_nm).named("transform");
         let interference = transform.re * re.into_vec3() - transform.im * im.into_vec3();
         color = (color - interference).named("color");
     }

@@ -106,8 +106,8 @@ fn bound(expr: &Expr, name: &Ident) -> Expr {
     let text = name.to_string();
     parse_quote!({
         #[allow(unused_imports)]
-        use ::pavo_shade::naming::{BindOther as _, BindValue as _, Binding};
-        Binding::new(#expr).bind(#text)
+        use ::pavo_shade::naming::{BindMask as _, BindOther as _, BindValue as _, Binding};
+        (&&&Binding::new(#expr)).bind(#text)
     })
 }
 

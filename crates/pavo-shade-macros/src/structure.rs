@@ -26,9 +26,8 @@ pub fn expand(item: ItemStruct, attribute: TokenStream) -> syn::Result<TokenStre
     let paths = texts
         .iter()
         .map(|field| if flat { quote!(#field.to_owned()) } else { quote!(::pavo_shade::join(path, #field)) });
-    let part_docs = docs.iter().map(|part| {
-        if flat { quote!(#part) } else { quote!(::pavo_shade::LeafInfo::part_doc(doc, #part)) }
-    });
+    let part_docs =
+        docs.iter().map(|part| if flat { quote!(#part) } else { quote!(::pavo_shade::LeafInfo::part_doc(doc, #part)) });
     Ok(quote! {
         #[derive(Clone, Copy, Debug)]
         #item

@@ -178,6 +178,12 @@ impl<'g> Mask for ExprMask<'g> {
             }
         }
     }
+    fn named(self, name: &str) -> Self {
+        if let ExprMask::Node(expr) = self {
+            Value::named(expr, name);
+        }
+        self
+    }
 }
 
 impl<'g> Expr<'g> {

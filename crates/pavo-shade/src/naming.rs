@@ -1,8 +1,9 @@
-//! How `#[shade]` gives a `let` its name: values are named, anything else passes through.
+//! How `#[shade]` gives a `let` its name: values and masks are named, anything else passes through.
 //!
-//! Both traits have a method `bind`. On `Binding<T>` with `T: Value` the one that takes it by value is found first;
-//! for any other type the compiler goes on to the one that takes a reference.
+//! The three traits have a method `bind`, for `&&&Binding<T>`, `&&Binding<T>` and `&Binding<T>`. On `(&&&binding).bind(..)`
+//! the compiler looks at them in this order and takes the first whose bound on `T` holds.
 
+use crate::real::Mask;
 use crate::value::Value;
 use core::cell::Cell;
 
@@ -15,6 +16,11 @@ impl<T> Binding<T> {
     pub fn new(value: T) -> Self {
         Self(Cell::new(Some(value)))
     }
+
+    #[inline(always)]
+    fn take(&self) -> T {
+        self.0.take().expect("a binding is used once")
+    }
 }
 
 /// Names a value.
@@ -25,11 +31,27 @@ pub trait BindValue {
     fn bind(self, name: &str) -> Self::Output;
 }
 
-impl<T: Value> BindValue for Binding<T> {
+impl<T: Value> BindValue for &&&Binding<T> {
     type Output = T;
     #[inline(always)]
     fn bind(self, name: &str) -> T {
-        self.0.into_inner().expect("a binding is used once").named(name)
+        self.take().named(name)
+    }
+}
+
+/// Names a mask.
+pub trait BindMask {
+    /// The type of the mask.
+    type Output;
+    /// Gives the mask back, named.
+    fn bind(self, name: &str) -> Self::Output;
+}
+
+impl<T: Mask> BindMask for &&Binding<T> {
+    type Output = T;
+    #[inline(always)]
+    fn bind(self, name: &str) -> T {
+        self.take().named(name)
     }
 }
 
@@ -45,6 +67,6 @@ impl<T> BindOther for &Binding<T> {
     type Output = T;
     #[inline(always)]
     fn bind(self, _name: &str) -> T {
-        self.0.take().expect("a binding is used once")
+        self.take()
     }
 }

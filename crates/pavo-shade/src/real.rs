@@ -12,6 +12,12 @@ pub trait Mask: Copy {
     fn or(self, other: Self) -> Self;
     /// True where this one is false.
     fn not(self) -> Self;
+    /// The mask, with this name carried into emitted code. Plain truth values have none.
+    #[inline(always)]
+    fn named(self, name: &str) -> Self {
+        let _ = name;
+        self
+    }
 }
 
 /// A real number, or several that are computed alike (the components of a vector).

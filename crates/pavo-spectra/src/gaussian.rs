@@ -63,9 +63,8 @@ pub fn belcour_barla(observer: Observer, space: ColourSpace) -> Result<Vec<Gauss
     let white = white_of_space(space)?;
     let rows = space.xyz_to_rgb();
     let area = |&(_, peak, _, variance): &PublishedGaussian| peak * (2.0 * PI * variance).sqrt();
-    let areas: [f64; 3] = std::array::from_fn(|curve| {
-        BELCOUR_BARLA_XYZ.iter().filter(|gaussian| gaussian.0 == curve).map(area).sum()
-    });
+    let areas: [f64; 3] =
+        std::array::from_fn(|curve| BELCOUR_BARLA_XYZ.iter().filter(|gaussian| gaussian.0 == curve).map(area).sum());
     let white_channels: [f64; 3] =
         std::array::from_fn(|channel| (0..3).map(|curve| rows[channel][curve] * white[curve]).sum());
     let per_nm = 1e-9;
@@ -75,7 +74,9 @@ pub fn belcour_barla(observer: Observer, space: ColourSpace) -> Result<Vec<Gauss
         Gaussian {
             angular_wave_number: 2.0 * PI * centre * per_nm,
             decay: (2.0 * PI * per_nm).powi(2) * variance,
-            weight: std::array::from_fn(|channel| share * rows[channel][curve] * white[curve] / white_channels[channel]),
+            weight: std::array::from_fn(|channel| {
+                share * rows[channel][curve] * white[curve] / white_channels[channel]
+            }),
         }
     });
     Ok(gaussians.collect())

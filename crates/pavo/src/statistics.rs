@@ -9,6 +9,8 @@ pub struct Difference {
     pub points: usize,
     /// The largest absolute difference in any channel.
     pub max: f64,
+    /// The largest difference relative to `max(1, |expected|)`: absolute for what is small, relative for what is large.
+    pub max_relative: f64,
     /// The root of the mean square over all points and channels.
     pub rms: f64,
     /// How many values were not finite in one list and finite in the other.
@@ -38,6 +40,7 @@ impl Difference {
     pub fn between(found: &[[f64; 3]], expected: &[[f64; 3]], keep: usize) -> Self {
         assert_eq!(found.len(), expected.len(), "the same points are compared");
         let mut squares = 0.0;
+        let mut max_relative = 0.0_f64;
         let mut not_finite = 0;
         let mut worst: Vec<Worst> = Vec::new();
         for (index, (&found, &expected)) in found.iter().zip(expected).enumerate() {
@@ -47,9 +50,11 @@ impl Difference {
                 if difference.is_finite() {
                     squares += difference * difference;
                     largest = largest.max(difference);
+                    max_relative = max_relative.max(difference / expected[channel].abs().max(1.0));
                 } else if found[channel].is_finite() != expected[channel].is_finite() {
                     not_finite += 1;
                     largest = f64::INFINITY;
+                    max_relative = f64::INFINITY;
                 }
             }
             if worst.len() < keep || worst.last().is_some_and(|last| last.difference < largest) {
@@ -62,6 +67,7 @@ impl Difference {
         Self {
             points,
             max: worst.first().map_or(0.0, |worst| worst.difference),
+            max_relative,
             rms: if points == 0 { 0.0 } else { (squares / (3 * points) as f64).sqrt() },
             not_finite,
             worst,

@@ -1,2 +1,51 @@
-//! Set-up, demo and tests.
-fn main() {}
+//! The set-up, the demo and the tests of this workspace: `cargo xtask help` lists what it does.
+
+mod arguments;
+mod command_line;
+mod console;
+mod demo;
+mod failure;
+mod programs;
+mod setup;
+mod steps;
+mod suite;
+mod workspace;
+
+use std::process::ExitCode;
+
+use arguments::{Task, USAGE};
+use failure::Failure;
+use workspace::Workspace;
+
+fn main() -> ExitCode {
+    match run() {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(failure) => {
+            console::complain(&format!("error: {}", failure.message));
+            failure.exit_code()
+        }
+    }
+}
+
+fn run() -> Result<(), Failure> {
+    let task = arguments::parse(std::env::args_os().skip(1))?;
+    let workspace = Workspace::of_this_tool()?;
+    match task {
+        Task::Help => {
+            console::say(USAGE);
+            Ok(())
+        }
+        Task::Setup => setup::set_up(&workspace),
+        Task::Demo { scene } => {
+            let scene = demo::find_scene(&workspace, scene.as_deref())?;
+            setup::set_up(&workspace)?;
+            demo::run(&workspace, &scene)
+        }
+        Task::Test { set_up } => {
+            if set_up {
+                setup::set_up(&workspace)?;
+            }
+            suite::run(&workspace)
+        }
+    }
+}

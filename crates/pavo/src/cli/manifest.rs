@@ -96,6 +96,8 @@ pub struct RunRow {
     pub quantity: &'static str,
     /// The road.
     pub road: &'static str,
+    /// The range of the cosine at the half vector.
+    pub cos_theta1: [f64; 2],
     /// The inputs of the worst points are in the order of these columns.
     pub columns: Vec<String>,
     /// Against the CPU in f32.
@@ -137,6 +139,10 @@ impl RunRow {
         Self {
             quantity: quantity.name(),
             road: road.name(),
+            cos_theta1: inputs
+                .iter()
+                .find(|input| input.name == "cos_theta1")
+                .map_or([0.0, 1.0], |input| [input.low, input.high]),
             columns: inputs.iter().flat_map(super::points_table::column_names).collect(),
             against_f32: Compared::new(found, cpu.0, points),
             against_f64: Compared::new(found, cpu.1, points),

@@ -57,7 +57,8 @@ fn pixels(samples: &[[f32; 4]], size: u32, space: ColourSpace) -> Vec<u8> {
                 let y = row * oversampling + sample / oversampling;
                 let x = column * oversampling + sample % oversampling;
                 let color = samples[y * size * oversampling + x];
-                let linear = to_srgb.map(|row| (0..3).map(|channel| row[channel] * f64::from(color[channel]) * exposure).sum());
+                let linear =
+                    to_srgb.map(|row| (0..3).map(|channel| row[channel] * f64::from(color[channel]) * exposure).sum());
                 for (sum, value) in sum.iter_mut().zip(tone_mapped(linear)) {
                     *sum += value;
                 }

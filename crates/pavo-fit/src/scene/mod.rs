@@ -1,0 +1,1 @@
+//! Fits of the reflectance of one scene.

@@ -1,0 +1,137 @@
+//! The words after `cargo xtask`.
+
+use std::ffi::OsString;
+
+use lexopt::{Arg, Parser};
+
+use crate::failure::Failure;
+
+/// What to do.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Task {
+    /// Install what is missing from the system.
+    Setup,
+    /// Build the command in release and run it on a scene.
+    Demo {
+        /// The scene: a file, or the name of one in `templates/scenes`.
+        scene: Option<OsString>,
+    },
+    /// Run every check of the workspace.
+    Test {
+        /// Whether to install first what is missing from the system.
+        set_up: bool,
+    },
+    /// Print the usage.
+    Help,
+}
+
+/// What `cargo xtask help` prints.
+pub const USAGE: &str = "\
+Usage: cargo xtask <TASK>
+
+Tasks:
+  setup              Install what is missing from the system: glslang, SPIRV-Tools, the Vulkan loader and lavapipe
+  demo [SCENE]       Set up, build the command, and run it on a scene: a file, or a name in templates/scenes
+                     (soap-bubble where none is given)
+  test [--no-setup]  Set up, then check formatting, lints, the build without features, documentation and tests
+  help               Print this
+
+Exit codes: 0 fine, 1 a check failed, 2 bad input, 3 something needed is missing";
+
+const TASKS: &str = "the tasks are setup, demo, test and help";
+
+/// Reads the words, the first of which names the task.
+///
+/// # Errors
+///
+/// A word that is no task, or one that the task does not take.
+pub fn parse(words: impl IntoIterator<Item = OsString>) -> Result<Task, Failure> {
+    let mut parser = Parser::from_args(words);
+    let Some(word) = next(&mut parser)? else {
+        return Err(Failure::bad_input(format!("name a task: {TASKS}")));
+    };
+    let mut task = match &word {
+        Arg::Short('h') | Arg::Long("help") => Task::Help,
+        Arg::Value(word) => match word.to_str() {
+            Some("setup") => Task::Setup,
+            Some("demo") => Task::Demo { scene: None },
+            Some("test") => Task::Test { set_up: true },
+            Some("help") => Task::Help,
+            _ => {
+                return Err(Failure::bad_input(format!("`{}` is no task; {TASKS}", word.to_string_lossy())));
+            }
+        },
+        other => return Err(not_taken(other, "cargo xtask", TASKS)),
+    };
+    while let Some(argument) = next(&mut parser)? {
+        match (&mut task, argument) {
+            (_, Arg::Short('h') | Arg::Long("help")) => return Ok(Task::Help),
+            (Task::Demo { scene: scene @ None }, Arg::Value(value)) => *scene = Some(value),
+            (Task::Demo { .. }, other) => return Err(not_taken(&other, "demo", "it takes one scene")),
+            (Task::Test { set_up }, Arg::Long("no-setup")) => *set_up = false,
+            (Task::Test { .. }, other) => return Err(not_taken(&other, "test", "it takes --no-setup only")),
+            (Task::Setup, other) => return Err(not_taken(&other, "setup", "it takes nothing")),
+            (Task::Help, other) => return Err(not_taken(&other, "help", "it takes nothing")),
+        }
+    }
+    Ok(task)
+}
+
+fn next(parser: &mut Parser) -> Result<Option<Arg<'_>>, Failure> {
+    parser.next().map_err(|error| Failure::bad_input(error.to_string()))
+}
+
+fn not_taken(argument: &Arg<'_>, task: &str, hint: &str) -> Failure {
+    let shown = match argument {
+        Arg::Short(letter) => format!("-{letter}"),
+        Arg::Long(name) => format!("--{name}"),
+        Arg::Value(value) => value.to_string_lossy().into_owned(),
+    };
+    Failure::bad_input(format!("{task} does not take `{shown}`; {hint}"))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::failure::Status;
+
+    fn parsed(words: &str) -> Result<Task, Failure> {
+        parse(words.split_whitespace().map(OsString::from))
+    }
+
+    #[test]
+    fn the_words_name_a_task_and_its_options() {
+        for (words, expected) in [
+            ("setup", Task::Setup),
+            ("demo", Task::Demo { scene: None }),
+            ("demo oil-on-water", Task::Demo { scene: Some("oil-on-water".into()) }),
+            ("demo -- -odd-name.toml", Task::Demo { scene: Some("-odd-name.toml".into()) }),
+            ("test", Task::Test { set_up: true }),
+            ("test --no-setup", Task::Test { set_up: false }),
+            ("help", Task::Help),
+            ("--help", Task::Help),
+            ("-h", Task::Help),
+            ("test --help", Task::Help),
+        ] {
+            assert_eq!(parsed(words), Ok(expected), "{words}");
+        }
+    }
+
+    #[test]
+    fn other_words_are_refused_with_what_is_taken() {
+        for (words, expected) in [
+            ("", "name a task: the tasks are setup, demo, test and help"),
+            ("tset", "`tset` is no task; the tasks are setup, demo, test and help"),
+            ("--no-setup", "cargo xtask does not take `--no-setup`; the tasks are setup, demo, test and help"),
+            ("demo a b", "demo does not take `b`; it takes one scene"),
+            ("demo --no-setup", "demo does not take `--no-setup`; it takes one scene"),
+            ("test all", "test does not take `all`; it takes --no-setup only"),
+            ("test -x", "test does not take `-x`; it takes --no-setup only"),
+            ("setup now", "setup does not take `now`; it takes nothing"),
+            ("help me", "help does not take `me`; it takes nothing"),
+        ] {
+            let failure = parsed(words).expect_err(words);
+            assert_eq!((failure.status, failure.message.as_str()), (Status::BadInput, expected), "{words}");
+        }
+    }
+}
