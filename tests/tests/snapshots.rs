@@ -1,12 +1,13 @@
 //! The emitted text of every starter scene in every text language, as a reader of the product sees it.
 
+use pavo::Emission;
 use pavo_emit::Language;
 use pavo_tests::{SCENES, starter};
 
 fn emitted(name: &str, language: Language) -> String {
     let shading = starter(name);
     let command = format!("pavo emit templates/scenes/{name}.toml --target {} --form library", language.name());
-    pavo::library(&shading, language, &command)
+    pavo::library(&shading, Emission { language, command: &command, source_lines: false })
 }
 
 #[test]

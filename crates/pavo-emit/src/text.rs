@@ -143,7 +143,8 @@ fn function(context: &Context<'_>, definition: &Definition, index: usize) -> Str
     text.push_str(&function::head(context.dialect, &context.functions[index], &head, &result));
     text.push('\n');
     for statement in statements.iter().chain([&format!("return {value};")]) {
-        text.push_str(&indent(&broken_line(statement, WIDTH - 4)));
+        let (code, place) = statement.split_at(statement.find(" // ").unwrap_or(statement.len()));
+        text.push_str(&indent(&(broken_line(code, WIDTH - 4) + place)));
     }
     text.push_str("}\n");
     text

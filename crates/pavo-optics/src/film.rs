@@ -1,9 +1,12 @@
 //! The film between two media: its wave vectors, and its reflectance as a colour by one of the methods.
 
 use crate::airy::{AiryTerms, airy_reflectance, airy_terms};
+use crate::cosines::cosines_reflectance;
+use crate::poles::{Pole, poles_reflectance};
 use crate::series::{GaussianFit, series_reflectance};
 use crate::spectral::{SpectralNode, dispersive_reflectance, spectral_reflectance};
 use crate::wave::{NormalComponent, normal_component_absorbing, normal_component_squared, p_component_absorbing};
+use crate::windowed::{Window, windowed_reflectance};
 use core::f64::consts::PI;
 use pavo_shade::{Lanes, Real, Scalar, Value, Vector, shade};
 
@@ -28,6 +31,23 @@ pub enum Method {
         order: usize,
         /// The sensitivities.
         fit: GaussianFit,
+    },
+    /// All orders of the series in closed form, with sensitivities as sums of complex exponentials.
+    Poles {
+        /// The poles.
+        poles: Vec<Pole>,
+    },
+    /// All orders of the series as a Poisson kernel, with sensitivities as wave numbers under a window.
+    Windowed {
+        /// The wave numbers.
+        window: Window,
+    },
+    /// The series truncated at an order, with sensitivities as wave numbers under a window.
+    Cosines {
+        /// The highest order, at least 1.
+        order: usize,
+        /// The wave numbers.
+        window: Window,
     },
     /// The exact reflectance at several wavelengths.
     Spectral {
@@ -80,7 +100,7 @@ pub struct BaseWave<R: Real> {
 /// The wave in the film. Its normal component is kept away from 0, where the phase vanishes with it.
 pub fn film_wave<R: Real>(total_reflection: bool, cos_theta1: R, ambient_ior: R, film_ior: R) -> FilmWave<R> {
     let smallest = R::lit(1e-12);
-    let square = normal_component_squared(cos_theta1, ambient_ior, film_ior).named("q2_squared");
+    let square = normal_component_squared(cos_theta1, ambient_ior, film_ior);
     if !total_reflection {
         let q2_squared = square.max(smallest).named("q2_squared");
         return FilmWave { q2_squared, q2: q2_squared.sqrt().named("q2") };
@@ -198,17 +218,22 @@ pub fn film_reflectance<S: Scalar, R: Lanes<S> + Value<Leaf = S::Leaf>>(
     }
     let base = media.base_wave(film.base, base_ior, base_kappa);
     let terms = film_terms(film.total_reflection, media, wave, base);
-    match &film.method {
-        Method::Spectral { nodes } => spectral_reflectance::<S, R>(film.total_reflection, nodes, terms, wave, opd_nm),
-        Method::Series { order, fit } => {
-            let series = series_reflectance::<S, R>(*order, fit, terms, media, wave.q2, base, opd_nm);
-            if !film.total_reflection {
-                return series;
-            }
-            let is_total_reflection = wave.q2_squared.less_than(0.0);
-            S::Vec3::choose(is_total_reflection, frustrated_reflectance::<S, R>(film, terms, wave, opd_nm), series)
+    let series = match &film.method {
+        Method::Spectral { nodes } => {
+            return spectral_reflectance::<S, R>(film.total_reflection, nodes, terms, wave, opd_nm);
         }
+        Method::Series { order, fit } => series_reflectance::<S, R>(*order, fit, terms, media, wave.q2, base, opd_nm),
+        Method::Poles { poles } => poles_reflectance::<S, R>(poles, terms, media, wave.q2, base, opd_nm),
+        Method::Windowed { window } => windowed_reflectance::<S, R>(window, terms, media, wave.q2, base, opd_nm),
+        Method::Cosines { order, window } => {
+            cosines_reflectance::<S, R>(window, *order, terms, media, wave.q2, base, opd_nm)
+        }
+    };
+    if !film.total_reflection {
+        return series;
     }
+    let is_total_reflection = wave.q2_squared.less_than(0.0);
+    S::Vec3::choose(is_total_reflection, frustrated_reflectance::<S, R>(film, terms, wave, opd_nm), series)
 }
 
 /// Under total internal reflection into the film the round trips decay instead of interfering: the exact reflectance

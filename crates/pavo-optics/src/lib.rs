@@ -11,18 +11,24 @@
 //! E. Wolf, "Principles of Optics".
 
 pub mod airy;
+pub mod cosines;
 pub mod film;
+pub mod fitted;
 pub mod fresnel;
 pub mod lambert;
 pub mod light;
 pub mod metalness;
 pub mod microfacet;
+pub mod poles;
 pub mod series;
 pub mod spectral;
 pub mod surface;
 pub mod wave;
+pub mod windowed;
 
 pub use film::{BaseKind, Film, Method};
+pub use poles::Pole;
 pub use series::{GaussianFit, GaussianTerm};
 pub use spectral::SpectralNode;
 pub use surface::{Directions, Finish, Geometry, Layers, Light, Specular, Surface, VisibilityK};
+pub use windowed::Window;

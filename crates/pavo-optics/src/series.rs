@@ -10,6 +10,7 @@
 
 use crate::airy::AiryTerms;
 use crate::film::{BaseWave, FilmTerms, Media};
+use crate::poles::both_series_terms;
 use crate::wave::NormalComponent;
 use pavo_shade::{Lanes, Real, Scalar, Value, Vector, shade};
 
@@ -17,19 +18,20 @@ use pavo_shade::{Lanes, Real, Scalar, Value, Vector, shade};
 /// `weight exp(-decay D^2) e^(i angular_wave_number D)`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct GaussianTerm {
-    /// Centre of the Gaussian, 2 pi / wavelength, radians per nm.
-    pub angular_wave_number: f64,
+    /// Centre of the Gaussian for each output channel, 2 pi / wavelength, radians per nm.
+    pub angular_wave_number: [f64; 3],
     /// Decay with the square of the optical path difference, 1/nm^2; half the variance of the Gaussian over the
-    /// angular wave number.
-    pub decay: f64,
+    /// angular wave number. For each output channel.
+    pub decay: [f64; 3],
     /// Share in each output channel.
     pub weight: [f64; 3],
 }
 
-/// The sensitivities of the output channels as a sum of Gaussians. The weights of a channel add up to 1.
+/// The sensitivities of the output channels as a sum of Gaussians, which the channels may share or have each their own.
+/// The weights of a channel add up to 1.
 #[derive(Clone, Debug, PartialEq)]
 pub struct GaussianFit {
-    /// The Gaussians, shared by the channels.
+    /// The Gaussians.
     pub terms: Vec<GaussianTerm>,
 }
 
@@ -96,10 +98,18 @@ pub fn sensitivity<S: Scalar>(
     let mut im = S::Vec3::lit(0.0);
     for term in &fit.terms {
         let weight = S::Vec3::lit3(term.weight);
-        let gaussian = (S::lit(-term.decay) * opd_squared).exp();
-        let phase = S::lit(term.angular_wave_number) * opd_nm;
-        re = re + weight * (gaussian * phase.cos());
-        im = im + weight * (gaussian * phase.sin());
+        let is_shared = |values: [f64; 3]| values[0] == values[1] && values[1] == values[2];
+        if is_shared(term.angular_wave_number) && is_shared(term.decay) {
+            let gaussian = (S::lit(-term.decay[0]) * opd_squared).exp();
+            let phase = S::lit(term.angular_wave_number[0]) * opd_nm;
+            re = re + weight * (gaussian * phase.cos());
+            im = im + weight * (gaussian * phase.sin());
+        } else {
+            let gaussian = (S::Vec3::lit3(term.decay.map(|decay| -decay)) * opd_squared).exp();
+            let phase = S::Vec3::lit3(term.angular_wave_number) * opd_nm;
+            re = re + weight * gaussian * phase.cos();
+            im = im + weight * gaussian * phase.sin();
+        }
     }
     Sensitivity { re, im }
 }
@@ -114,30 +124,33 @@ pub fn series_reflectance<S: Scalar, R: Lanes<S> + Value<Leaf = S::Leaf>>(
     base: BaseWave<R>,
     opd_nm: S,
 ) -> S::Vec3 {
-    let lanes = R::from_scalar;
-    let q2_p = (q2 * media.film_p_scale()).named("q2_p");
-    let s = series_terms(terms.s, lanes(media.q1()), lanes(q2), base.s).named("series_s");
-    let p = series_terms(terms.p, lanes(media.q1_p()), lanes(q2_p), base.p).named("series_p");
+    let [s, p] = both_series_terms(terms, media, q2, base);
     let average = R::lit(1.0) - (s.transmittance + p.transmittance) * R::lit(0.5);
     let mut color = average.into_vec3();
+    for (index, [re, im]) in order_amplitudes(order, s, p).into_iter().enumerate() {
+        let m = S::lit((index + 1) as f64);
+        let transform = sensitivity(fit, m * opd_nm).named("transform");
+        let interference = transform.re * re.into_vec3() - transform.im * im.into_vec3();
+        color = (color - interference).named("color");
+    }
+    color
+}
+
+/// `Q b^m` over both polarisations, for each order m from 1 on: real and imaginary part.
+pub(crate) fn order_amplitudes<R: Real>(order: usize, s: SeriesTerms<R>, p: SeriesTerms<R>) -> Vec<[R; 2]> {
     let mut power_s = [s.transmittance * s.round_trip, s.transmittance * s.round_trip_im];
     let mut power_p = [p.transmittance * p.round_trip, p.transmittance * p.round_trip_im];
+    let mut amplitudes = Vec::new();
     for m in 1..=order {
         if m > 1 {
             power_s = complex_product(power_s, [s.round_trip, s.round_trip_im]);
             power_p = complex_product(power_p, [p.round_trip, p.round_trip_im]);
         }
-        let [power_s_re, power_s_im] = power_s;
-        let [power_p_re, power_p_im] = power_p;
-        power_s = [power_s_re.named("order_s"), power_s_im.named("order_s_im")];
-        power_p = [power_p_re.named("order_p"), power_p_im.named("order_p_im")];
-        let re = power_s[0] + power_p[0];
-        let im = power_s[1] + power_p[1];
-        let transform = sensitivity(fit, S::lit(m as f64) * opd_nm).named("transform");
-        let interference = transform.re * re.into_vec3() - transform.im * im.into_vec3();
-        color = (color - interference).named("color");
+        power_s = [power_s[0].named("order_s"), power_s[1].named("order_s_im")];
+        power_p = [power_p[0].named("order_p"), power_p[1].named("order_p_im")];
+        amplitudes.push([power_s[0] + power_p[0], power_s[1] + power_p[1]]);
     }
-    color
+    amplitudes
 }
 
 fn complex_product<R: Real>(a: [R; 2], b: [R; 2]) -> [R; 2] {

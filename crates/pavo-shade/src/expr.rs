@@ -67,23 +67,25 @@ impl<'g> Expr<'g> {
 
     #[track_caller]
     fn unary(self, op: UnaryOp) -> Self {
-        fold::unary(op, self).unwrap_or_else(|| {
-            let graph = self.graph().expect("only nodes are left after folding");
-            graph.node(Op::Unary(op, graph.operand(self)), self.ty())
-        })
+        if let Some(folded) = fold::unary(op, self) {
+            return folded;
+        }
+        let graph = self.graph().expect("only nodes are left after folding");
+        graph.node(Op::Unary(op, graph.operand(self)), self.ty())
     }
 
     #[track_caller]
     fn binary(self, op: BinaryOp, other: Self) -> Self {
-        fold::binary(op, self, other).unwrap_or_else(|| {
-            let graph = self.graph().or(other.graph()).expect("only nodes are left after folding");
-            let vector = self.ty() == Type::Vec3 || other.ty() == Type::Vec3;
-            let arithmetic = matches!(op, BinaryOp::Add | BinaryOp::Subtract | BinaryOp::Multiply | BinaryOp::Divide);
-            // Arithmetic takes a scalar beside a vector in every language; functions take equal types only.
-            let widen = |operand: Self| if vector && !arithmetic { operand.as_vec3() } else { operand };
-            let ty = if vector && op != BinaryOp::Dot { Type::Vec3 } else { Type::Scalar };
-            graph.node(Op::Binary(op, graph.operand(widen(self)), graph.operand(widen(other))), ty)
-        })
+        if let Some(folded) = fold::binary(op, self, other) {
+            return folded;
+        }
+        let graph = self.graph().or(other.graph()).expect("only nodes are left after folding");
+        let vector = self.ty() == Type::Vec3 || other.ty() == Type::Vec3;
+        let arithmetic = matches!(op, BinaryOp::Add | BinaryOp::Subtract | BinaryOp::Multiply | BinaryOp::Divide);
+        // Arithmetic takes a scalar beside a vector in every language; functions take equal types only.
+        let (a, b) = if vector && !arithmetic { (self.as_vec3(), other.as_vec3()) } else { (self, other) };
+        let ty = if vector && op != BinaryOp::Dot { Type::Vec3 } else { Type::Scalar };
+        graph.node(Op::Binary(op, graph.operand(a), graph.operand(b)), ty)
     }
 }
 

@@ -234,7 +234,10 @@ impl Graph {
     /// The node of this operation in the function that is being recorded, made if there is none yet.
     #[track_caller]
     pub(crate) fn node(&self, op: Op, ty: Type) -> Expr<'_> {
-        let location = Location::caller();
+        self.node_at(op, ty, Location::caller())
+    }
+
+    fn node_at(&self, op: Op, ty: Type, location: &'static Location<'static>) -> Expr<'_> {
         let mut state = self.state.borrow_mut();
         let function = *state.open.last().expect("the outermost function is always open");
         let body = &mut state.functions[function as usize];
@@ -383,6 +386,7 @@ impl Graph {
     /// The results of a call: literals and arguments that were passed through need no call.
     #[track_caller]
     fn results(&self, function: u32, passed: Vec<u32>) -> Vec<Expr<'_>> {
+        let location = Location::caller();
         enum Shape {
             Literal(f64),
             Literal3([f64; 3]),
@@ -412,7 +416,7 @@ impl Graph {
                     calls.len() as u32 - 1
                 })
             };
-            let node = self.node(Op::Call(function, arguments), Type::Results);
+            let node = self.node_at(Op::Call(function, arguments), Type::Results, location);
             self.operand(node)
         });
         shapes
@@ -423,7 +427,7 @@ impl Graph {
                 Shape::Literal3(value) => Expr::Literal3(value),
                 Shape::Passed(index) => Expr::Node(self, NodeId { function: caller, index }),
                 Shape::Computed(ty) => {
-                    self.node(Op::Result(call.expect("a computed result has its call"), result as u32), ty)
+                    self.node_at(Op::Result(call.expect("a computed result has its call"), result as u32), ty, location)
                 }
             })
             .collect()

@@ -4,6 +4,7 @@
 //! - [`illuminant`]: spectral power of the light, standard or the user's own.
 //! - [`colour_space`]: XYZ to RGB matrices, and the sRGB transfer function.
 //! - [`sensitivity`]: the three joined to one spectral sensitivity per output channel, white being (1, 1, 1).
+//! - [`fits`]: short sums in place of the sensitivities' Fourier transforms, built in.
 //! - [`optical_constants`]: refractive indices over the wavelength.
 //! - [`mod@reference`]: a film's exact reflectance, by the complex Airy formula over the fine wavelength grid.
 //!
@@ -13,6 +14,7 @@
 //! Nothing here touches the outside world: data files are compiled in, and a user's tables come as text.
 
 pub mod colour_space;
+pub mod fits;
 pub mod gaussian;
 pub mod illuminant;
 pub mod names;

@@ -19,7 +19,7 @@
 //! let shading = Shading::new(&scene, &"spectral:n=16".parse::<Variant>()?)?;
 //! let colour = shading.evaluate(ShadingQuantity::Reflectance, &[0.7, 300.0]);
 //! assert!(colour.iter().all(|channel| (0.0..0.2).contains(channel)));
-//! let shader = pavo::library(&shading, pavo_emit::Language::Wgsl, "");
+//! let shader = pavo::library(&shading, pavo_emit::Language::Wgsl);
 //! assert!(shader.contains("fn shade_surface("));
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
@@ -39,7 +39,7 @@ mod variant;
 #[cfg(feature = "cli")]
 pub mod cli;
 
-pub use emission::{compute, fragment, library};
+pub use emission::{Emission, compute, fragment, library};
 pub use inputs::ShadingQuantity;
 pub use media::MediaError;
 pub use shading::{Shading, ShadingError};

@@ -69,8 +69,8 @@ impl Shading {
                 let gaussians = gaussian::belcour_barla(sensitivities.observer(), sensitivities.space())
                     .map_err(|error| refuse(error.to_string(), "use spectral:n=81, which fits every observer"))?;
                 let term = |gaussian: &gaussian::Gaussian| GaussianTerm {
-                    angular_wave_number: gaussian.angular_wave_number,
-                    decay: gaussian.decay,
+                    angular_wave_number: [gaussian.angular_wave_number; 3],
+                    decay: [gaussian.decay; 3],
                     weight: gaussian.weight,
                 };
                 Method::Series { order: *order, fit: GaussianFit { terms: gaussians.iter().map(term).collect() } }

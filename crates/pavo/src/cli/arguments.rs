@@ -85,6 +85,9 @@ pub struct Emit {
     /// What the compute form evaluates.
     #[arg(long, value_enum, default_value_t = QuantityName::Reflectance)]
     pub quantity: QuantityName,
+    /// End each statement with the line of Rust that made it.
+    #[arg(long)]
+    pub source_lines: bool,
     /// The file to write [default: standard output].
     #[arg(short, long, value_name = "FILE")]
     pub output: Option<PathBuf>,

@@ -10,6 +10,6 @@ use pavo_emit::Form;
 pub fn run(arguments: &arguments::Emit) -> Result<(), Failure> {
     let source = Source::load(&arguments.scene, arguments.variant.as_deref())?;
     let form = arguments.form.map_or(arguments.target.default_form(), Form::from);
-    let emitted = source.emit(arguments.target, form, arguments.quantity.into())?;
+    let emitted = source.emit_with(arguments.target, form, arguments.quantity.into(), arguments.source_lines)?;
     output::write_or_print(arguments.output.as_deref(), &emitted.bytes)
 }

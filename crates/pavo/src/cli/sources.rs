@@ -8,7 +8,7 @@ use crate::scene::Scene;
 use crate::shading::Shading;
 use crate::target::Target;
 use crate::variant::Variant;
-use crate::{compute, fragment, library};
+use crate::{Emission, compute, fragment, library};
 use pavo_check::{CheckError, Verdict, judge_spirv, judge_text, wgsl_to_spirv};
 use pavo_emit::{Form, Language};
 use std::path::{Path, PathBuf};
@@ -35,15 +35,27 @@ impl Source {
 
     /// Emits one target in a form and has it judged.
     pub fn emit(&self, target: Target, form: Form, quantity: ShadingQuantity) -> Result<Emitted, Failure> {
+        self.emit_with(target, form, quantity, false)
+    }
+
+    /// The same, where wanted with the line of Rust behind each statement.
+    pub fn emit_with(
+        &self,
+        target: Target,
+        form: Form,
+        quantity: ShadingQuantity,
+        source_lines: bool,
+    ) -> Result<Emitted, Failure> {
         let shading = &self.shading;
         let command = command_line::emit(&self.path, target, shading.variant(), form, quantity);
         let scene = &shading.scene().name;
         let suffix = if form == target.default_form() { String::new() } else { format!("-{}", form.name()) };
         let file = format!("{scene}{suffix}.{}", target.extension());
+        let emission = |language: Language| Emission { language, command: &command, source_lines };
         let text = |language: Language| match form {
-            Form::Library => Ok(library(shading, language, &command)),
-            Form::Compute => compute(shading, quantity, language, &command),
-            Form::Fragment => fragment(shading, language, &command),
+            Form::Library => Ok(library(shading, emission(language))),
+            Form::Compute => compute(shading, quantity, emission(language)),
+            Form::Fragment => fragment(shading, emission(language)),
         };
         let (bytes, verdicts) = match target {
             Target::Text(language) => {
