@@ -62,7 +62,7 @@ fn bad_arguments_are_refused() {
         (
             &["build", "scene.toml", "--variant", "sereis:m=3", "-o", "out"],
             "unknown method `sereis`",
-            "series, spectral",
+            "series, poles",
         ),
         (&["build", "scene.toml", "--variant", "series:m=99", "-o", "out"], "`m=99`", "from 1 to 32"),
         (&["build", "scene.toml", "--target", "wgsl,hlsl7", "-o", "out"], "unknown target `hlsl7`", "essl300"),

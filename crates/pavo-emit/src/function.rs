@@ -245,9 +245,7 @@ fn wanted_name(context: &Context<'_>, definition: &Definition, locals: &[Local],
             UnaryOp::Normalize => of("unit", a),
             other => of(context.dialect.function_name(other), a),
         },
-        Op::Binary(BinaryOp::Multiply, a, b) if a == b => {
-            operand(a).map_or_else(|| "square".to_owned(), |name| format!("{name}_squared"))
-        }
+        Op::Binary(BinaryOp::Multiply, a, b) if a == b => operand(a).map_or_else(|| "square".to_owned(), squared_name),
         Op::Binary(op, ..) => match op {
             BinaryOp::Add => "sum",
             BinaryOp::Subtract => "difference",
@@ -272,6 +270,17 @@ fn wanted_name(context: &Context<'_>, definition: &Definition, locals: &[Local],
             _ => "result".to_owned(),
         },
         Op::Literal(_) | Op::Literal3(_) | Op::Parameter(_) | Op::Component(..) => "value".to_owned(),
+    }
+}
+
+/// The name of a square: `x_squared`, and for the square of a square `x_to_4`, and so on.
+fn squared_name(name: &str) -> String {
+    if let Some(base) = name.strip_suffix("_squared") {
+        return format!("{base}_to_4");
+    }
+    match name.rsplit_once("_to_").and_then(|(base, power)| Some((base, power.parse::<u32>().ok()?))) {
+        Some((base, power)) => format!("{base}_to_{}", 2 * power),
+        None => format!("{name}_squared"),
     }
 }
 

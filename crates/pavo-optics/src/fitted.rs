@@ -21,7 +21,7 @@
 //! Belcour and Barla 2017, equation 5.
 
 use core::f64::consts::PI;
-use pavo_shade::{Real, Scalar, Vector, shade};
+use pavo_shade::{Real, Scalar, Value, Vector, shade};
 
 /// `g^(1 - p)` is kept at or below the exponential of this, 1000, where the window has closed.
 pub const LARGEST_LOG_GROWTH: f64 = 6.907_755_278_982_137;
@@ -171,11 +171,11 @@ pub fn fitted_reflectance<S: Scalar>(
             let window = log_window.exp();
             let window_2 = (window * window) * (window * window);
             let window_3 = (window_2 * window_2) * window;
-            let cosine_2 = polynomial(&scaled(&cosines[1], 2.0), y) * window_2;
-            let cosine_3 = polynomial(&scaled(&cosines[2], 4.0), y) * window_3;
+            let cosine_2 = polynomial(&scaled(&cosines[1], 2), y) * window_2;
+            let cosine_3 = polynomial(&scaled(&cosines[2], 4), y) * window_3;
             let cosine_1 = polynomial(&cosines[0], y) * window - 0.75 * cosine_3;
-            let sine_2 = polynomial(&scaled(&sines[1], 2.0), y) * window_2;
-            let sine_3 = polynomial(&scaled(&sines[2], 4.0), y) * window_3;
+            let sine_2 = polynomial(&scaled(&sines[1], 2), y) * window_2;
+            let sine_3 = polynomial(&scaled(&sines[2], 4), y) * window_3;
             let sine_1 = polynomial(&sines[0], y) * window - 0.25 * sine_3;
             let cosine_0 = 0.5 * cosine_2;
             let waves = sum::<S>(&fit.nodes, path_nm, |phase| {
@@ -195,8 +195,8 @@ fn polynomial<S: Real>(coefficients: &[f64], y: S) -> S {
     descending.fold(highest, |value, &coefficient| value * y + S::lit(coefficient))
 }
 
-fn scaled(coefficients: &[f64], factor: f64) -> AnglePolynomial {
-    coefficients.iter().map(|coefficient| coefficient * factor).collect()
+fn scaled(coefficients: &[f64], factor: u32) -> AnglePolynomial {
+    coefficients.iter().map(|coefficient| coefficient * f64::from(factor)).collect()
 }
 
 /// The part that does not depend on the thickness.

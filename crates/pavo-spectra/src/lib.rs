@@ -3,6 +3,7 @@
 //! - [`observer`]: CIE colour matching functions.
 //! - [`illuminant`]: spectral power of the light, standard or the user's own.
 //! - [`colour_space`]: XYZ to RGB matrices, and the sRGB transfer function.
+//! - [`delta_e`]: CIEDE2000, the difference of two colours as the eye sees it.
 //! - [`sensitivity`]: the three joined to one spectral sensitivity per output channel, white being (1, 1, 1).
 //! - [`fits`]: short sums in place of the sensitivities' Fourier transforms, built in.
 //! - [`optical_constants`]: refractive indices over the wavelength.
@@ -14,6 +15,7 @@
 //! Nothing here touches the outside world: data files are compiled in, and a user's tables come as text.
 
 pub mod colour_space;
+pub mod delta_e;
 pub mod fits;
 pub mod gaussian;
 pub mod illuminant;

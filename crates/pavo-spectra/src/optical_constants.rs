@@ -4,9 +4,12 @@
 //! value there anyway says so with [`OpticalConstants::extended_at`], and shows
 //! [`OpticalConstants::warnings_for_range`] to the user.
 
+mod built_in;
+
 use std::sync::Arc;
 
-use crate::dispersion::DispersionFormula;
+use self::built_in::{BUILT_INS, BuiltInData, count_of, names, names_of};
+use crate::dispersion::{DispersionFormula, LorentzDrude};
 use crate::interpolation::linear_held;
 use crate::names::UnknownName;
 use crate::table::{Column, Range, Table, TableError};
@@ -17,15 +20,28 @@ const EXAMPLE_HEADER: &str = "wavelength_nm,n,k";
 #[derive(Debug, Clone, PartialEq)]
 pub struct OpticalConstants {
     name: Arc<str>,
+    kind: Option<MaterialKind>,
     source: Option<&'static str>,
     data: Data,
+}
+
+/// What a built-in material is, and so where in a stack it makes sense.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum MaterialKind {
+    /// A metal: a base.
+    Metal,
+    /// A semiconductor, which absorbs some of the visible light: a base.
+    Semiconductor,
+    /// A dielectric with k = 0: a film, or a base.
+    Dielectric,
 }
 
 #[derive(Debug, Clone, PartialEq)]
 enum Data {
     Constant { n: f64, k: f64 },
     Table(Arc<Table<2>>),
-    Formula(DispersionFormula),
+    Formula(&'static DispersionFormula),
+    LorentzDrude(&'static LorentzDrude),
 }
 
 /// Why optical constants cannot be made, or not be given at a wavelength.
@@ -54,8 +70,14 @@ pub enum OpticalConstantsError {
 }
 
 impl OpticalConstants {
-    /// The names that [`OpticalConstants::built_in`] knows.
-    pub const BUILT_IN_NAMES: [&'static str; 7] = ["Ag", "Au", "Cu", "Si", "SiO2", "Ti", "TiO2"];
+    /// The names that [`OpticalConstants::built_in`] knows, sorted.
+    pub const BUILT_IN_NAMES: [&'static str; BUILT_INS.len()] = names();
+
+    /// Those of [`OpticalConstants::BUILT_IN_NAMES`] that absorb: metals, and silicon.
+    pub const ABSORBING_NAMES: [&'static str; count_of(false)] = names_of(false);
+
+    /// Those of [`OpticalConstants::BUILT_IN_NAMES`] that are dielectrics.
+    pub const DIELECTRIC_NAMES: [&'static str; count_of(true)] = names_of(true);
 
     /// The same index at every wavelength.
     ///
@@ -64,32 +86,35 @@ impl OpticalConstants {
     pub fn constant(n: f64, k: f64) -> Result<Self, OpticalConstantsError> {
         if n.is_finite() && n > 0.0 && k.is_finite() && k >= 0.0 {
             let name = if k == 0.0 { format!("n = {n}") } else { format!("n = {n}, k = {k}") };
-            Ok(Self { name: name.into(), source: None, data: Data::Constant { n, k } })
+            Ok(Self { name: name.into(), kind: None, source: None, data: Data::Constant { n, k } })
         } else {
             Err(OpticalConstantsError::Constant { n, k })
         }
     }
 
-    /// A built-in material: silver, gold, copper (Johnson and Christy 1972), titanium (Johnson and Christy 1974),
-    /// silicon (Aspnes and Studna 1983), fused silica SiO2 (Malitson 1965), rutile TiO2 (Devore 1951, ordinary ray).
+    /// A built-in material. Each has its publication in [`OpticalConstants::source`].
+    ///
+    /// - Metals by measurement: Ag, Au, Cu (Johnson and Christy 1972), Cr, Fe, Ni, Pd, Ti (Johnson and Christy 1974).
+    /// - Metals by the Lorentz-Drude model of Rakic et al. 1998: Al, Be, Pt, W; and, as Ag-Rakic, Au-Rakic, Cr-Rakic,
+    ///   Cu-Rakic, Ni-Rakic, Pd-Rakic and Ti-Rakic, those that were measured. The model follows other measurements, and
+    ///   smooths them: it may be off by a tenth and more where a metal takes on its colour.
+    /// - Silicon: Si (Aspnes and Studna 1983).
+    /// - Dielectrics: Al2O3 (sapphire), BK7, MgF2, PMMA, Si3N4, SiO2 (fused silica), TiO2 (rutile), ZnS, chitin, keratin
+    ///   and water; the ordinary ray of those that have two.
     ///
     /// # Errors
     /// An unknown name, with the known ones.
     pub fn built_in(name: &str) -> Result<Self, UnknownName> {
-        let table = |text: &str| {
-            read(name, text).map(|table| Data::Table(Arc::new(table))).expect("the table is compiled in and tested")
+        let found = BUILT_INS.iter().find(|material| material.name == name);
+        let material = found.ok_or_else(|| UnknownName::new("material", name, &Self::BUILT_IN_NAMES))?;
+        let data = match material.data {
+            BuiltInData::Table(text) => {
+                Data::Table(Arc::new(read(name, text).expect("the table is compiled in and tested")))
+            }
+            BuiltInData::Formula(formula) => Data::Formula(formula),
+            BuiltInData::LorentzDrude(model) => Data::LorentzDrude(model),
         };
-        let (data, source) = match name {
-            "Ag" => (table(include_str!("../data/nk_ag.csv")), "Johnson and Christy 1972"),
-            "Au" => (table(include_str!("../data/nk_au.csv")), "Johnson and Christy 1972"),
-            "Cu" => (table(include_str!("../data/nk_cu.csv")), "Johnson and Christy 1972"),
-            "Si" => (table(include_str!("../data/nk_si.csv")), "Aspnes and Studna 1983"),
-            "SiO2" => (Data::Formula(DispersionFormula::MalitsonSilica), "Malitson 1965"),
-            "Ti" => (table(include_str!("../data/nk_ti.csv")), "Johnson and Christy 1974"),
-            "TiO2" => (Data::Formula(DispersionFormula::DevoreRutile), "Devore 1951, ordinary ray"),
-            _ => return Err(UnknownName::new("material", name, &Self::BUILT_IN_NAMES)),
-        };
-        Ok(Self { name: name.into(), source: Some(source), data })
+        Ok(Self { name: name.into(), kind: Some(material.kind), source: Some(material.source), data })
     }
 
     /// Reads a table from comma-separated text with the columns `wavelength_nm` or `wavelength_um`, `n`, and `k` (0 where
@@ -99,12 +124,27 @@ impl OpticalConstants {
     /// What is wrong in the table, and on which line.
     pub fn from_csv(name: &str, text: &str) -> Result<Self, TableError> {
         let table = read(name, text)?;
-        Ok(Self { name: name.into(), source: None, data: Data::Table(Arc::new(table)) })
+        Ok(Self { name: name.into(), kind: None, source: None, data: Data::Table(Arc::new(table)) })
     }
 
     /// The material's name: the built-in one, that given to [`OpticalConstants::from_csv`], or the constant in words.
     pub fn name(&self) -> &str {
         &self.name
+    }
+
+    /// What a built-in material is.
+    pub fn kind(&self) -> Option<MaterialKind> {
+        self.kind
+    }
+
+    /// Whether nothing is absorbed: k is 0 at every wavelength.
+    pub fn is_dielectric(&self) -> bool {
+        match &self.data {
+            Data::Constant { k, .. } => *k == 0.0,
+            Data::Table(table) => table.columns[1].iter().all(|k| *k == 0.0),
+            Data::Formula(_) => true,
+            Data::LorentzDrude(_) => false,
+        }
     }
 
     /// The publication of a built-in material.
@@ -116,7 +156,7 @@ impl OpticalConstants {
     pub fn as_constant(&self) -> Option<(f64, f64)> {
         match self.data {
             Data::Constant { n, k } => Some((n, k)),
-            Data::Table(_) | Data::Formula(_) => None,
+            Data::Table(_) | Data::Formula(_) | Data::LorentzDrude(_) => None,
         }
     }
 
@@ -125,7 +165,8 @@ impl OpticalConstants {
         match &self.data {
             Data::Constant { .. } => None,
             Data::Table(table) => Some(table.range_nm()),
-            Data::Formula(formula) => Some(formula.measured_nm()),
+            Data::Formula(formula) => Some(formula.measured_nm),
+            Data::LorentzDrude(model) => Some(model.fitted_nm()),
         }
     }
 
@@ -147,8 +188,8 @@ impl OpticalConstants {
         }
     }
 
-    /// The index (n, k) at any wavelength in nanometres. Beyond its ends a table holds its first or last value; a formula is
-    /// continued over 350 to 2500 nm and then held. [`OpticalConstants::warnings_for_range`] says so in words.
+    /// The index (n, k) at any wavelength in nanometres. Beyond its ends a table holds its first or last value, and so does
+    /// a Lorentz-Drude model; a formula is continued over 350 to 2500 nm and then held. [`OpticalConstants::warnings_for_range`] says so in words.
     pub fn extended_at(&self, wavelength_nm: f64) -> (f64, f64) {
         match &self.data {
             Data::Constant { n, k } => (*n, *k),
@@ -158,6 +199,7 @@ impl OpticalConstants {
                 (value(n), value(k))
             }
             Data::Formula(formula) => (formula.refractive_index(wavelength_nm), 0.0),
+            Data::LorentzDrude(model) => model.refractive_index(wavelength_nm),
         }
     }
 

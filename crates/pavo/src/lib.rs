@@ -29,6 +29,7 @@
 mod emission;
 mod inputs;
 mod media;
+mod methods;
 pub mod points;
 pub mod scene;
 mod shading;

@@ -2,21 +2,20 @@
 
 use crate::inputs::{GraphReader, InputList, InputReader, PointReader, ShadingQuantity};
 use crate::media::{self, MediaError};
+use crate::methods::{FIRST_WAVELENGTH_NM, LAST_WAVELENGTH_NM, MethodError, MethodRequest};
 use crate::scene::{Base, ColourQuantity, Quantity, Scene, VisibilityK};
-use crate::variant::{Fit, Variant};
+use crate::variant::Variant;
 use miette::Diagnostic;
+use pavo_optics::film::{Media, film_terms};
+use pavo_optics::poles::both_series_terms;
 use pavo_optics::surface::{brdf_of_reflectance, shade_surface, surface_brdf, surface_radiance, surface_reflectance};
 use pavo_optics::{
-    BaseKind, Directions, Film, Finish, GaussianFit, GaussianTerm, Geometry, Layers, Light, Method, SpectralNode,
-    Specular, Surface, light::punctual_light,
+    BaseKind, Directions, Film, Finish, Geometry, Layers, Light, Method, Specular, Surface, light::punctual_light,
 };
 use pavo_shade::{Graph, Input, Program, Rate, Scalar, Vector};
-use pavo_spectra::{OpticalConstants, Point, Reference, Sensitivities, Stack, gaussian};
+use pavo_spectra::{OpticalConstants, Point, Reference, Sensitivities, Stack};
 use rayon::prelude::*;
 use thiserror::Error;
-
-const FIRST_WAVELENGTH_NM: f64 = 380.0;
-const LAST_WAVELENGTH_NM: f64 = 780.0;
 
 /// Why a scene and a variant do not go together.
 #[derive(Debug, Error, Diagnostic)]
@@ -58,31 +57,21 @@ impl Shading {
     pub fn new(scene: &Scene, variant: &Variant) -> Result<Self, ShadingError> {
         let sensitivities = media::sensitivities(&scene.colour)?;
         let dispersive_base = media::dispersive_base(scene)?;
-        let refuse = |cause: String, help: &str| ShadingError::Variant {
+        let request = MethodRequest {
+            variant,
+            sensitivities: &sensitivities,
+            base: dispersive_base.as_ref(),
+            max_opd_nm: scene.film.map_or(0.0, |film| 2.0 * film.ior.high() * film.thickness_nm.high()),
+            orders: significant_orders(scene, dispersive_base.as_ref()),
+        };
+        let specular = specular(scene, &request).map_err(|(cause, help)| ShadingError::Variant {
             variant: variant.to_string(),
             scene: scene.name.clone(),
             cause,
             help: help.to_owned(),
-        };
-        let method = match variant {
-            Variant::Series { order, fit: Fit::XyzGauss } => {
-                let gaussians = gaussian::belcour_barla(sensitivities.observer(), sensitivities.space())
-                    .map_err(|error| refuse(error.to_string(), "use spectral:n=81, which fits every observer"))?;
-                let term = |gaussian: &gaussian::Gaussian| GaussianTerm {
-                    angular_wave_number: [gaussian.angular_wave_number; 3],
-                    decay: [gaussian.decay; 3],
-                    weight: gaussian.weight,
-                };
-                Method::Series { order: *order, fit: GaussianFit { terms: gaussians.iter().map(term).collect() } }
-            }
-            Variant::Spectral { count } => {
-                let nodes = spectral_nodes(&sensitivities, dispersive_base.as_ref(), *count)
-                    .map_err(|cause| refuse(cause, "take more wavelengths, for example spectral:n=16"))?;
-                Method::Spectral { nodes }
-            }
-        };
+        })?;
         let surface = Surface {
-            specular: specular(scene, method, &sensitivities, dispersive_base.as_ref()),
+            specular,
             diffuse: scene.surface.diffuse,
             visibility_k: match scene.surface.visibility_k {
                 VisibilityK::Punctual => pavo_optics::VisibilityK::Punctual,
@@ -351,12 +340,7 @@ fn light<S: Scalar>(reader: &mut impl InputReader<S>) -> Light<S> {
     }
 }
 
-fn specular(
-    scene: &Scene,
-    method: Method,
-    sensitivities: &Sensitivities,
-    dispersive: Option<&OpticalConstants>,
-) -> Specular {
+fn specular(scene: &Scene, request: &MethodRequest<'_>) -> Result<Specular, MethodError> {
     let kind = match scene.base {
         Base::Conductor { .. } | Base::Metal { .. } | Base::Table { .. } => BaseKind::Conductor,
         Base::Dielectric { ior } => BaseKind::Dielectric { total_reflection: ior.low() < scene.ambient.ior.high() },
@@ -364,48 +348,62 @@ fn specular(
         Base::Metalness => BaseKind::Dielectric { total_reflection: false },
     };
     let Some(film) = scene.film else {
-        return match (&scene.base, method, dispersive) {
-            (Base::Metalness, ..) => Specular::BareMetalness,
-            (_, Method::Spectral { nodes }, Some(_)) => Specular::BareSpectral(nodes),
-            (_, _, Some(base)) => {
-                let nodes = spectral_nodes(sensitivities, Some(base), 81);
-                nodes.map_or(Specular::Bare(kind), Specular::BareSpectral)
-            }
-            (_, _, None) => Specular::Bare(kind),
-        };
+        return Ok(match (&scene.base, request.base) {
+            (Base::Metalness, _) => Specular::BareMetalness,
+            (_, None) => Specular::Bare(kind),
+            (_, Some(_)) => match request.method()? {
+                Method::Spectral { nodes } => Specular::BareSpectral(nodes),
+                _ => Specular::BareSpectral(request.spectral_nodes(81)?),
+            },
+        });
     };
-    let is_series = matches!(method, Method::Series { .. });
+    let method = request.method()?;
+    let is_at_wavelengths = matches!(method, Method::Spectral { .. });
     let film = Film {
         base: kind,
         total_reflection: film.ior.low() < scene.ambient.ior.high(),
         method,
-        channel_wavelengths_nm: channel_wavelengths(sensitivities),
+        channel_wavelengths_nm: channel_wavelengths(request.sensitivities),
     };
-    match (&scene.base, dispersive) {
+    Ok(match (&scene.base, request.base) {
         (Base::Metalness, _) => Specular::FilmOnMetalness(film),
-        (_, Some(base)) if is_series => {
-            let [base_ior, base_kappa] = channel_index(sensitivities, base);
+        (_, Some(base)) if !is_at_wavelengths => {
+            let [base_ior, base_kappa] = channel_index(request.sensitivities, base);
             Specular::FilmOnChannels { film, base_ior, base_kappa }
         }
         _ => Specular::Film(film),
-    }
+    })
 }
 
-/// Equally spaced wavelengths with the sensitivities as weights, and the base's index at each.
-fn spectral_nodes(
-    sensitivities: &Sensitivities,
-    base: Option<&OpticalConstants>,
-    count: usize,
-) -> Result<Vec<SpectralNode>, String> {
-    let step = (LAST_WAVELENGTH_NM - FIRST_WAVELENGTH_NM) / (count - 1) as f64;
-    let wavelengths: Vec<f64> = (0..count).map(|index| FIRST_WAVELENGTH_NM + step * index as f64).collect();
-    let weights = sensitivities.normalised_weights(&wavelengths).map_err(|error| error.to_string())?;
-    let node = |(wavelength_nm, weight): (&f64, [f64; 3])| SpectralNode {
-        wavelength_nm: *wavelength_nm,
-        weight,
-        base: base.map(|base| base.extended_at(*wavelength_nm)),
+/// How many orders of interference count in a scene: until what a round trip leaves has fallen to 1 %, at a cosine of
+/// 0.3 and the ends of the ranges.
+fn significant_orders(scene: &Scene, dispersive: Option<&OpticalConstants>) -> f64 {
+    const COSINE: f64 = 0.3;
+    const GREEN_NM: f64 = 555.0;
+    let Some(film) = scene.film else { return 1.0 };
+    let ends = |quantity: Quantity| [quantity.low(), quantity.high()];
+    let (base_iors, kappas) = match (&scene.base, dispersive) {
+        (Base::Dielectric { ior }, _) => (ends(*ior), [0.0; 2]),
+        (Base::Conductor { ior, kappa }, _) => (ends(*ior), ends(*kappa)),
+        (_, Some(base)) => {
+            let (n, k) = base.extended_at(GREEN_NM);
+            ([n; 2], [k; 2])
+        }
+        (_, None) => ([1.5, 6.0], [0.0; 2]),
     };
-    Ok(wavelengths.iter().zip(weights).map(node).collect())
+    let mut largest = 0.0_f64;
+    for ambient_ior in ends(scene.ambient.ior) {
+        for film_ior in ends(film.ior) {
+            for (base_ior, kappa) in base_iors.into_iter().flat_map(|ior| kappas.map(|kappa| (ior, kappa))) {
+                let media = Media { cos_theta1: COSINE, ambient_ior, film_ior };
+                let (wave, base) = (media.wave(true), media.base_wave(BaseKind::Conductor, base_ior, kappa));
+                for series in both_series_terms(film_terms(true, media, wave, base), media, wave.q2, base) {
+                    largest = largest.max(series.round_trip.hypot(series.round_trip_im));
+                }
+            }
+        }
+    }
+    if largest < 0.99 { (0.01_f64.ln() / largest.max(0.01).ln()).max(1.0) } else { f64::from(u16::MAX) }
 }
 
 /// The wavelength at the centre of each channel's sensitivity.

@@ -7,17 +7,30 @@ use thiserror::Error;
 /// A fit of the sensitivities that the series uses.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Fit {
-    /// The four Gaussians over X, Y and Z of Belcour and Barla 2017.
+    /// `xyz-gauss`: the four Gaussians over X, Y and Z of Belcour and Barla 2017.
     XyzGauss,
+    /// `xyz-gauss-K`: K Gaussians for each of X, Y and Z.
+    XyzGaussians(usize),
+    /// `rgb-gauss-K`: K Gaussians for each output channel.
+    RgbGaussians(usize),
+    /// `shared-gauss-K`: K Gaussians that the channels share.
+    SharedGaussians(usize),
 }
 
 impl Fit {
-    /// All fits with their names.
-    pub const ALL: [(&'static str, Fit); 1] = [("xyz-gauss", Fit::XyzGauss)];
+    /// The names that are understood, for messages.
+    pub const NAMES: [&'static str; 4] = ["xyz-gauss", "xyz-gauss-K", "rgb-gauss-K", "shared-gauss-K"];
+    const COUNTS: std::ops::RangeInclusive<usize> = 1..=5;
+}
 
-    fn name(self) -> &'static str {
-        let named = Self::ALL.iter().find(|(_, fit)| *fit == self);
-        named.expect("each fit has a name").0
+impl fmt::Display for Fit {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Fit::XyzGauss => write!(f, "xyz-gauss"),
+            Fit::XyzGaussians(count) => write!(f, "xyz-gauss-{count}"),
+            Fit::RgbGaussians(count) => write!(f, "rgb-gauss-{count}"),
+            Fit::SharedGaussians(count) => write!(f, "shared-gauss-{count}"),
+        }
     }
 }
 
@@ -30,6 +43,28 @@ pub enum Variant {
         order: usize,
         /// The sensitivities.
         fit: Fit,
+    },
+    /// `poles:k=K`: all orders in closed form, with the sensitivities as K complex exponentials.
+    Poles {
+        /// How many poles.
+        count: usize,
+    },
+    /// `windowed:k=K`: all orders as a Poisson kernel, with the sensitivities as K wave numbers under a window.
+    Windowed {
+        /// How many wave numbers.
+        count: usize,
+    },
+    /// `cosines:k=K,m=M`: the series up to order M, with the sensitivities as K wave numbers under a window.
+    Cosines {
+        /// How many wave numbers.
+        count: usize,
+        /// The highest order.
+        order: usize,
+    },
+    /// `nodes:n=N`: the exact reflectance at N wavelengths whose weights are fitted over the scene's range.
+    Nodes {
+        /// How many wavelengths.
+        count: usize,
     },
     /// `spectral:n=N`: the exact reflectance at N wavelengths from 380 to 780 nm, equally spaced.
     Spectral {
@@ -66,30 +101,52 @@ struct OptionRow {
     default: &'static str,
 }
 
-const FAMILIES: [Family; 2] = [
+const fn counted(name: &'static str, low: usize, high: usize, default: &'static str) -> OptionRow {
+    OptionRow { name, range: Some((low, high)), default }
+}
+
+const FAMILIES: [Family; 6] = [
     Family {
         name: "series",
-        options: &[
-            OptionRow { name: "m", range: Some((1, 32)), default: "3" },
-            OptionRow { name: "fit", range: None, default: "xyz-gauss" },
-        ],
+        options: &[counted("m", 1, 32, "3"), OptionRow { name: "fit", range: None, default: "xyz-gauss" }],
     },
-    Family { name: "spectral", options: &[OptionRow { name: "n", range: Some((2, 512)), default: "81" }] },
+    Family { name: "poles", options: &[counted("k", 3, 8, "6")] },
+    Family { name: "windowed", options: &[counted("k", 4, 10, "6")] },
+    Family { name: "cosines", options: &[counted("k", 4, 10, "6"), counted("m", 1, 8, "1")] },
+    Family { name: "nodes", options: &[counted("n", 4, 16, "8")] },
+    Family { name: "spectral", options: &[counted("n", 2, 512, "81")] },
 ];
 
 impl Variant {
     /// Variants to choose from where nothing says which.
     pub fn candidates() -> Vec<Variant> {
-        let series = [1, 2, 3, 4, 6, 8].map(|order| Variant::Series { order, fit: Fit::XyzGauss });
-        let spectral = [8, 16, 32, 81].map(|count| Variant::Spectral { count });
-        series.into_iter().chain(spectral).collect()
+        let belcour_barla = [1, 2, 3, 4, 6, 8].map(|order| Variant::Series { order, fit: Fit::XyzGauss });
+        let fitted = [
+            (2, Fit::SharedGaussians(3)),
+            (3, Fit::SharedGaussians(4)),
+            (4, Fit::SharedGaussians(5)),
+            (3, Fit::RgbGaussians(3)),
+            (3, Fit::XyzGaussians(3)),
+        ];
+        let fitted = fitted.map(|(order, fit)| Variant::Series { order, fit });
+        let poles = [4, 5, 6, 8].map(|count| Variant::Poles { count });
+        let windowed = [4, 6, 8].map(|count| Variant::Windowed { count });
+        let cosines = [(4, 1), (6, 1), (6, 2)].map(|(count, order)| Variant::Cosines { count, order });
+        let nodes = [6, 8, 10, 16].map(|count| Variant::Nodes { count });
+        let spectral = [16, 32, 81].map(|count| Variant::Spectral { count });
+        let families = [&belcour_barla[..], &fitted, &cosines, &windowed, &poles, &nodes, &spectral];
+        families.concat()
     }
 }
 
 impl fmt::Display for Variant {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            Variant::Series { order, fit } => write!(f, "series:m={order},fit={}", fit.name()),
+            Variant::Series { order, fit } => write!(f, "series:m={order},fit={fit}"),
+            Variant::Poles { count } => write!(f, "poles:k={count}"),
+            Variant::Windowed { count } => write!(f, "windowed:k={count}"),
+            Variant::Cosines { count, order } => write!(f, "cosines:k={count},m={order}"),
+            Variant::Nodes { count } => write!(f, "nodes:n={count}"),
             Variant::Spectral { count } => write!(f, "spectral:n={count}"),
         }
     }
@@ -113,12 +170,15 @@ impl FromStr for Variant {
             let default = row.map_or("", |row| row.default);
             given.iter().find(|(name, _)| *name == wanted).map_or(default, |(_, value)| value)
         };
-        match family.name {
-            "series" => {
-                Ok(Variant::Series { order: number(text, family, "m", value("m"))?, fit: fit(text, value("fit"))? })
-            }
-            _ => Ok(Variant::Spectral { count: number(text, family, "n", value("n"))? }),
-        }
+        let counted = |name: &str| number(text, family, name, value(name));
+        Ok(match family.name {
+            "series" => Variant::Series { order: counted("m")?, fit: fit(text, value("fit"))? },
+            "poles" => Variant::Poles { count: counted("k")? },
+            "windowed" => Variant::Windowed { count: counted("k")? },
+            "cosines" => Variant::Cosines { count: counted("k")?, order: counted("m")? },
+            "nodes" => Variant::Nodes { count: counted("n")? },
+            _ => Variant::Spectral { count: counted("n")? },
+        })
     }
 }
 
@@ -156,10 +216,19 @@ fn number(text: &str, family: &Family, name: &str, value: &str) -> Result<usize,
 }
 
 fn fit(text: &str, value: &str) -> Result<Fit, VariantError> {
-    let found = Fit::ALL.iter().find(|(name, _)| *name == value);
-    found.map(|(_, fit)| *fit).ok_or_else(|| VariantError {
+    let counted = |prefix: &str| -> Option<usize> {
+        value.strip_prefix(prefix)?.parse().ok().filter(|count| Fit::COUNTS.contains(count))
+    };
+    let found = match value {
+        "xyz-gauss" => Some(Fit::XyzGauss),
+        _ => counted("xyz-gauss-")
+            .map(Fit::XyzGaussians)
+            .or_else(|| counted("rgb-gauss-").map(Fit::RgbGaussians))
+            .or_else(|| counted("shared-gauss-").map(Fit::SharedGaussians)),
+    };
+    found.ok_or_else(|| VariantError {
         message: format!("unknown fit `{}` in the variant `{}`", shown(value), shown(text)),
-        help: format!("the fits are {}", Fit::ALL.map(|(name, _)| name).join(", ")),
+        help: format!("the fits are {}, with K from 1 to 5", Fit::NAMES.join(", ")),
     })
 }
 
@@ -181,6 +250,12 @@ mod tests {
         let cases = [
             ("series:m=3,fit=xyz-gauss", Variant::Series { order: 3, fit: Fit::XyzGauss }),
             ("series:fit=xyz-gauss,m=5", Variant::Series { order: 5, fit: Fit::XyzGauss }),
+            ("series:m=2,fit=shared-gauss-4", Variant::Series { order: 2, fit: Fit::SharedGaussians(4) }),
+            ("series:m=2,fit=rgb-gauss-1", Variant::Series { order: 2, fit: Fit::RgbGaussians(1) }),
+            ("poles:k=5", Variant::Poles { count: 5 }),
+            ("windowed", Variant::Windowed { count: 6 }),
+            ("cosines:m=2", Variant::Cosines { count: 6, order: 2 }),
+            ("nodes:n=9", Variant::Nodes { count: 9 }),
             ("series", Variant::Series { order: 3, fit: Fit::XyzGauss }),
             ("spectral:n=16", Variant::Spectral { count: 16 }),
             ("spectral", Variant::Spectral { count: 81 }),
@@ -194,8 +269,8 @@ mod tests {
     #[test]
     fn what_is_no_variant_is_refused_with_help() {
         let cases = [
-            ("", "unknown method ``", "series, spectral"),
-            ("sereis:m=3", "unknown method `sereis`", "series, spectral"),
+            ("", "unknown method ``", "series, poles"),
+            ("sereis:m=3", "unknown method `sereis`", "series, poles"),
             ("series:m=0", "`m=0`", "from 1 to 32"),
             ("series:m=33", "`m=33`", "from 1 to 32"),
             ("series:m=-1", "`m=-1`", "from 1 to 32"),
@@ -203,6 +278,9 @@ mod tests {
             ("series:k=3", "unknown option `k`", "series takes"),
             ("series:m=3,m=4", "`m` stands twice", "series takes"),
             ("series:fit=rgb", "unknown fit `rgb`", "xyz-gauss"),
+            ("series:fit=rgb-gauss-6", "unknown fit `rgb-gauss-6`", "K from 1 to 5"),
+            ("series:fit=rgb-gauss-", "unknown fit `rgb-gauss-`", "K from 1 to 5"),
+            ("poles:k=2", "`k=2`", "from 3 to 8"),
             ("spectral:n=1", "`n=1`", "from 2 to 512"),
             ("spectral:n=99999999999999999999", "`n=99999999999999999999`", "from 2 to 512"),
         ];

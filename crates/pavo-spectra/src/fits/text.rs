@@ -40,8 +40,7 @@ pub fn stored_space(family: FitFamily) -> ColourSpace {
 pub fn write(fit: &SensitivityFit) -> String {
     let window = fit.window_um.map_or(String::new(), |window| format!("{window:.DECIMALS$}"));
     let (family, count, range) = (fit.family.name(), fit.terms.len(), fit.max_opd_um);
-    let mut text =
-        format!("fit,{family},{count},{range},{window},{:.3e},{:.3e}\n", fit.max_error, fit.rms_error);
+    let mut text = format!("fit,{family},{count},{range},{window},{:.3e},{:.3e}\n", fit.max_error, fit.rms_error);
     for term in &fit.terms {
         let mut numbers = Vec::new();
         let shared = if fit.family.is_shared() { 1 } else { 3 };

@@ -1,8 +1,11 @@
 //! Tests of the crate through its public interface, one module per subject.
 
 mod colour_spaces;
+mod delta_e;
+mod dielectrics;
 mod illuminants;
 mod limits;
+mod metals;
 mod observers;
 mod optical_constants;
 mod random;

@@ -1,16 +1,16 @@
 //! Optical constants against published figures, and what is said beyond their ends.
 
 use pavo_spectra::OpticalConstants;
-use pavo_spectra::optical_constants::OpticalConstantsError;
+use pavo_spectra::optical_constants::{MaterialKind, OpticalConstantsError};
 
 use crate::assert_close;
 
-fn built_in(name: &str) -> OpticalConstants {
+pub fn built_in(name: &str) -> OpticalConstants {
     OpticalConstants::built_in(name).unwrap()
 }
 
 #[test]
-fn built_in_materials_have_the_published_values() {
+fn measured_materials_have_the_published_values() {
     for (name, wavelength, n, k, tolerance) in [
         ("Au", 548.6, 0.43, 2.455, 1e-12),
         ("Au", (548.6 + 582.1) / 2.0, 0.36, 2.659, 1e-12),
@@ -18,9 +18,6 @@ fn built_in_materials_have_the_published_values() {
         ("Cu", 342.5, 1.36, 1.864, 1e-12),
         ("Ti", 354.0, 1.82, 2.87, 1e-12),
         ("Si", 826.6, 3.673, 0.005, 1e-12),
-        ("SiO2", 587.561_8, 1.458_46, 0.0, 5e-6),
-        ("SiO2", 404.656, 1.469_62, 0.0, 5e-6),
-        ("TiO2", 589.3, 2.613, 0.0, 5e-4),
     ] {
         let (found_n, found_k) = built_in(name).at(wavelength).unwrap();
         assert_close(&format!("n of {name} at {wavelength} nm"), found_n, n, tolerance);
@@ -29,26 +26,107 @@ fn built_in_materials_have_the_published_values() {
 }
 
 #[test]
-fn built_in_names_are_all_there_and_others_are_refused() {
+fn built_in_names_are_sorted_and_all_there_and_others_are_refused() {
     for name in OpticalConstants::BUILT_IN_NAMES {
         assert_eq!(built_in(name).name(), name);
-        assert!(built_in(name).source().is_some());
+        assert!(built_in(name).source().is_some() && built_in(name).range_nm().is_some());
     }
+    assert!(OpticalConstants::BUILT_IN_NAMES.is_sorted());
     let error = OpticalConstants::built_in("Unobtainium").unwrap_err();
-    assert_eq!(error.to_string(), "unknown material `Unobtainium`; known are Ag, Au, Cu, Si, SiO2, Ti, TiO2");
+    assert_eq!(
+        error.to_string(),
+        "unknown material `Unobtainium`; known are Ag, Ag-Rakic, Al, Al2O3, Au, Au-Rakic, BK7, Be, Cr, Cr-Rakic, Cu, \
+         Cu-Rakic, Fe, MgF2, Ni, Ni-Rakic, PMMA, Pd, Pd-Rakic, Pt, Si, Si3N4, SiO2, Ti, Ti-Rakic, TiO2, W, ZnS, chitin, \
+         keratin, water"
+    );
+    for close in ["", "ag", "Ag ", "Ag-rakic", "Rakic", "H2O"] {
+        assert!(OpticalConstants::built_in(close).is_err(), "{close:?}");
+    }
 }
 
 #[test]
-fn over_the_visible_range_only_rutile_is_continued() {
+fn every_name_is_either_an_absorbing_or_a_dielectric_one() {
+    for name in OpticalConstants::BUILT_IN_NAMES {
+        let material = built_in(name);
+        let dielectric = OpticalConstants::DIELECTRIC_NAMES.contains(&name);
+        assert_ne!(dielectric, OpticalConstants::ABSORBING_NAMES.contains(&name), "{name}");
+        assert_eq!(dielectric, material.is_dielectric(), "{name}");
+        let expected = match (dielectric, name) {
+            (true, _) => MaterialKind::Dielectric,
+            (false, "Si") => MaterialKind::Semiconductor,
+            (false, _) => MaterialKind::Metal,
+        };
+        assert_eq!(material.kind(), Some(expected), "{name}");
+    }
+    assert_eq!(
+        OpticalConstants::BUILT_IN_NAMES.len(),
+        OpticalConstants::ABSORBING_NAMES.len() + OpticalConstants::DIELECTRIC_NAMES.len()
+    );
+    for (text, dielectric) in
+        [("wavelength_nm,n\n400,1.5\n500,1.4\n", true), ("wavelength_nm,n,k\n400,1.5,0\n500,1.5,0.1\n", false)]
+    {
+        let table = OpticalConstants::from_csv("film", text).unwrap();
+        assert_eq!((table.kind(), table.is_dielectric()), (None, dielectric));
+    }
+    for (k, dielectric) in [(0.0, true), (0.1, false)] {
+        let constant = OpticalConstants::constant(1.5, k).unwrap();
+        assert_eq!((constant.kind(), constant.is_dielectric()), (None, dielectric));
+    }
+}
+
+#[test]
+fn every_material_has_an_index_over_the_visible_range() {
+    for name in OpticalConstants::BUILT_IN_NAMES {
+        let material = built_in(name);
+        for quarter in 4 * 360..=4 * 830 {
+            let wavelength_nm = f64::from(quarter) / 4.0;
+            let (n, k) = material.extended_at(wavelength_nm);
+            assert!(n.is_finite() && n > 0.0 && n < 7.0, "n of {name} at {wavelength_nm} nm: {n}");
+            assert!(k.is_finite() && (0.0..10.0).contains(&k), "k of {name} at {wavelength_nm} nm: {k}");
+            if let Ok(inside) = material.at(wavelength_nm) {
+                assert_eq!(inside, (n, k));
+            }
+        }
+    }
+}
+
+#[test]
+fn over_the_visible_range_only_these_formulas_are_continued() {
+    let below = |name: &str, nm: f64| {
+        format!("{name}: the data begin at {nm} nm; the formula is continued from there down to 360 nm")
+    };
+    let above = |name: &str, nm: f64| {
+        format!("{name}: the data end at {nm} nm; the formula is continued from there up to 830 nm")
+    };
     for name in OpticalConstants::BUILT_IN_NAMES {
         let constants = built_in(name);
-        let expected: &[&str] = match name {
-            "TiO2" => &["TiO2: the data begin at 430 nm; the formula is continued from there down to 360 nm"],
-            _ => &[],
+        let expected = match name {
+            "PMMA" => vec![below(name, 436.8)],
+            "TiO2" => vec![below(name, 430.0)],
+            "ZnS" => vec![below(name, 405.0)],
+            "chitin" | "keratin" => vec![below(name, 400.0), above(name, 600.0)],
+            _ => vec![],
         };
         assert_eq!(constants.warnings_for_range(360.0, 830.0), expected);
         assert_eq!(constants.covers(360.0, 830.0), expected.is_empty(), "{name}");
     }
+}
+
+#[test]
+fn beyond_its_fit_a_lorentz_drude_model_is_held_and_said() {
+    let gold = built_in("Au-Rakic");
+    let (low, high) = gold.range_nm().unwrap();
+    assert_close("low end", low, 247.968, 1e-3);
+    assert_close("high end", high, 6199.21, 1e-2);
+    for (wavelength, held) in [(100.0, low), (0.0, low), (1e6, high)] {
+        assert!(gold.at(wavelength).is_err());
+        assert_eq!(gold.extended_at(wavelength), gold.extended_at(held));
+    }
+    assert_ne!(gold.extended_at(low), gold.extended_at(low + 1.0));
+    assert_ne!(gold.extended_at(high), gold.extended_at(high - 1.0));
+    let warnings = gold.warnings_for_range(100.0, 830.0);
+    assert_eq!(warnings.len(), 1);
+    assert!(warnings[0].ends_with("; n and k are held constant from there down to 100 nm"), "{warnings:?}");
 }
 
 #[test]

@@ -1,0 +1,67 @@
+//! Points of films with their exact reflectance: what windowed nodes are fitted to, and what every fit is judged by.
+
+use pavo_spectra::fits::{FitFamily, SensitivityFit};
+use pavo_spectra::{OpticalConstants, Point, Reference, Sensitivities, Stack};
+
+use super::classes::FilmClass;
+use super::film::FilmPoint;
+
+/// Points of films, and the exact reflectance of each in three channels.
+#[derive(Debug, Clone, Default)]
+pub struct FilmSamples {
+    pub(super) points: Vec<FilmPoint>,
+    pub(super) values: Vec<[f64; 3]>,
+}
+
+/// Errors of a fit's reflectance over points and channels.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct ReflectanceErrors {
+    /// Largest absolute error.
+    pub max: f64,
+    /// Root of the mean square.
+    pub rms: f64,
+}
+
+impl FilmSamples {
+    /// The exact reflectance of each class of films at the points that `places` names for it.
+    pub fn new(
+        sensitivities: &Sensitivities,
+        classes: &[FilmClass],
+        mut places: impl FnMut(&FilmClass) -> Vec<Point>,
+    ) -> Self {
+        let reference = Reference::new(sensitivities);
+        let mut samples = Self::default();
+        for class in classes {
+            let media = class.media;
+            let film = OpticalConstants::constant(media.film, 0.0);
+            let base = OpticalConstants::constant(media.base.re, media.base.im);
+            let (Ok(film), Ok(base)) = (film, base) else { continue };
+            let Ok(stack) = Stack::new(media.ambient, film, base) else { continue };
+            let places = places(class);
+            let point = |place: &Point| FilmPoint::new(media, place.cos_theta1, place.thickness_nm);
+            samples.points.extend(places.iter().map(point));
+            samples.values.extend(reference.prepare(&stack).reflectance_of_each(&places));
+        }
+        samples
+    }
+
+    /// The errors of the reflectance that a fit gives; `None` for the families that are used as a series of orders
+    /// (Gaussians), whose error depends on how many are taken.
+    pub fn errors(&self, fit: &SensitivityFit) -> Option<ReflectanceErrors> {
+        let (mut max, mut sum) = (0.0f64, 0.0);
+        for (point, exact) in self.points.iter().zip(&self.values) {
+            let fitted = match fit.family {
+                FitFamily::Poles => point.over_poles(fit),
+                FitFamily::WindowedNodes => point.over_windowed_nodes(fit),
+                FitFamily::Nodes => point.over_nodes(fit),
+                _ => return None,
+            };
+            for (fitted, exact) in fitted.into_iter().zip(exact) {
+                max = max.max((fitted - exact).abs());
+                sum += (fitted - exact).powi(2);
+            }
+        }
+        let count = (3 * self.points.len()).max(1) as f64;
+        Some(ReflectanceErrors { max, rms: (sum / count).sqrt() })
+    }
+}
