@@ -5,7 +5,7 @@ use crate::expression::{Expressions, literal};
 use crate::namer::Namer;
 use crate::passing::PassedStruct;
 use crate::text::{Struct, WIDTH};
-use pavo_shade::{BinaryOp, Definition, Op, Output, ReturnValue, UnaryOp};
+use pavo_shade::{BinaryOp, Definition, Op, Output, ReturnValue, UnaryOp, operands};
 
 /// What stands for a node where it is used.
 #[derive(Clone, Debug)]
@@ -86,7 +86,7 @@ pub fn body(context: &Context<'_>, definition: &Definition, number: usize) -> Bo
             continue;
         }
         let statement = match accumulates {
-            Some(_) => accumulation(&expressions, node.op, name),
+            Some(previous) => accumulation(&expressions, index, *previous, name),
             None => {
                 let ty = match node.op {
                     Op::Call(callee, _) => context.structs[callee as usize].as_ref().map(|made| made.name.as_str()),
@@ -116,15 +116,21 @@ fn result_text(expressions: &Expressions<'_>, result: &Output) -> String {
     }
 }
 
-/// `name += ..` where the right-hand side is written out.
-fn accumulation(expressions: &Expressions<'_>, op: Op, name: &str) -> String {
-    let Op::Binary(op, _, operand) = op else { unreachable!("only sums and products accumulate") };
-    let sign = match op {
-        BinaryOp::Add => "+",
-        BinaryOp::Subtract => "-",
-        _ => "*",
-    };
-    format!("{name} {sign}= {};", expressions.whole(operand))
+/// A variable changed in place: `name += ..` where what it held is the first operand, `name = ..` elsewhere.
+fn accumulation(expressions: &Expressions<'_>, index: u32, previous: u32, name: &str) -> String {
+    match expressions.definition.nodes[index as usize].op {
+        Op::Binary(op @ (BinaryOp::Add | BinaryOp::Subtract | BinaryOp::Multiply), first, operand)
+            if first == previous =>
+        {
+            let sign = match op {
+                BinaryOp::Add => "+",
+                BinaryOp::Subtract => "-",
+                _ => "*",
+            };
+            format!("{name} {sign}= {};", expressions.whole(operand))
+        }
+        _ => format!("{name} = {};", expressions.computed(index).0),
+    }
 }
 
 /// How often each node is used.
@@ -133,13 +139,8 @@ fn uses(definition: &Definition) -> Vec<usize> {
     let mut count = |index: u32| uses[index as usize] += 1;
     for node in &definition.nodes {
         match node.op {
-            Op::Literal(_) | Op::Literal3(_) | Op::Parameter(_) => {}
-            Op::Unary(_, a) | Op::Splat(a) | Op::Component(a, _) | Op::Result(a, _) => count(a),
-            Op::Binary(_, a, b) | Op::Compare(_, a, b) => [a, b].into_iter().for_each(&mut count),
-            Op::Select(a, b, c) | Op::Clamp(a, b, c) | Op::Mix(a, b, c) | Op::Vec3(a, b, c) => {
-                [a, b, c].into_iter().for_each(&mut count);
-            }
             Op::Call(_, arguments) => definition.calls[arguments as usize].iter().copied().for_each(&mut count),
+            op => operands(op).for_each(&mut count),
         }
     }
     for result in &definition.results {
@@ -213,15 +214,25 @@ fn locals(context: &Context<'_>, definition: &Definition, parameters: &[String],
     locals
 }
 
-/// The variable that this node changes in place: its first operand, if the author gave both one name and nothing else
-/// uses what it held.
+/// The variable that this node changes in place: one in its expression to which the author gave the same name, if
+/// nothing else uses what it held.
 fn accumulates(definition: &Definition, uses: &[usize], locals: &[Local], index: usize) -> Option<u32> {
     let node = &definition.nodes[index];
-    let Op::Binary(BinaryOp::Add | BinaryOp::Subtract | BinaryOp::Multiply, first, _) = node.op else { return None };
-    let previous = &definition.nodes[first as usize];
-    let is_variable = matches!(locals[first as usize], Local::Named { .. }) && !matches!(previous.op, Op::Parameter(_));
-    let same = node.name.is_some() && node.name == previous.name && node.ty == previous.ty;
-    (is_variable && same && uses[first as usize] == 1).then_some(first)
+    node.name.as_ref()?;
+    let mut pending: Vec<u32> = operands(node.op).collect();
+    while let Some(operand) = pending.pop() {
+        let other = &definition.nodes[operand as usize];
+        match &locals[operand as usize] {
+            Local::Written => pending.extend(operands(other.op)),
+            Local::Named { .. } => {
+                let same = other.name == node.name && other.ty == node.ty && !matches!(other.op, Op::Parameter(_));
+                if same && uses[operand as usize] == 1 {
+                    return Some(operand);
+                }
+            }
+        }
+    }
+    None
 }
 
 /// The name that the author gave, or one that says what the node is.

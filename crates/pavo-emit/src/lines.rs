@@ -18,10 +18,11 @@ pub fn broken_line(statement: &str, width: usize) -> String {
     lines + rest
 }
 
-/// Where to break: after a comma, or before `+` or `-`; of the places that fit, the last of those that are least deep.
+/// Where to break: before an operator, or after a comma where none is as little deep; of the places that fit, the last of
+/// those that are least deep.
 fn best_place(text: &str, room: usize, outside: i32) -> Option<usize> {
     let mut depth = outside;
-    let mut best: Option<(i32, usize)> = None;
+    let mut best: Option<((i32, bool), usize)> = None;
     for (index, character) in text.char_indices() {
         if index >= room {
             break;
@@ -29,13 +30,13 @@ fn best_place(text: &str, room: usize, outside: i32) -> Option<usize> {
         depth += depth_change(&text[index..index + character.len_utf8()]);
         let place = match character {
             ',' => Some(index + 1),
-            ' ' if text[index..].starts_with(" + ") || text[index..].starts_with(" - ") => Some(index),
+            ' ' if [" + ", " - ", " * "].iter().any(|operator| text[index..].starts_with(operator)) => Some(index),
             _ => None,
         };
         if let Some(place) = place.filter(|place| *place > 8)
-            && best.is_none_or(|(least, _)| depth <= least)
+            && best.is_none_or(|(least, _)| (depth, character == ',') <= least)
         {
-            best = Some((depth, place));
+            best = Some(((depth, character == ','), place));
         }
     }
     best.map(|(_, place)| place)

@@ -2,10 +2,8 @@
 
 /// The shortest text that reads back as the same `f32`, always with a point or an exponent.
 pub fn number(value: f64) -> String {
-    let single = value as f32;
-    let plain = format!("{single:?}");
-    // `{:?}` writes 1e16 and 1e-7 with an exponent and no point; both languages read that as a float.
-    plain
+    // It writes 1e16 and 1e-7 with an exponent and no point; all languages read that as a float.
+    format!("{:?}", value as f32)
 }
 
 #[cfg(test)]

@@ -24,7 +24,7 @@ pub fn cosines_reflectance<S: Scalar, R: Lanes<S> + Value<Leaf = S::Leaf>>(
     let mut color = average.into_vec3();
     for (index, amplitude) in order_amplitudes(order, s, p).into_iter().enumerate() {
         let m = (index + 1) as f64;
-        let spread = opd_nm * S::lit(m / window.width_nm);
+        let spread = (opd_nm * S::lit(m / window.width_nm)).named("spread");
         let g = (-(spread * spread)).exp().named("window");
         let damped = amplitude.map(|part| part * R::from_scalar(g));
         let [re, im] = [damped[0].named("order"), damped[1].named("order_im")];

@@ -12,19 +12,19 @@
 //! | [`FittedForm::AngleOnly`] | `P0` |
 //! | [`FittedForm::FirstOrder`] | `P0 - P1 g sum w cos(phi)` |
 //! | [`FittedForm::Kernel`] | `P0 - P1 sqrt(1 - X^2) sum w / (1 - X cos(phi))`, `X = P2 g` |
-//! | [`FittedForm::DampedKernel`] | `P0 + n - n (1 - B^2) sum w / (1 + B^2 - 2 B cos(phi))`, `B = P2 g^p`, `n = P1 min(g^(1 - p), 1000)` |
-//! | the same with a first order of its own | `w / (1 + B^2 - 2 B cos(phi)) + w P3 g^p cos(phi) / (1 - B^2)` in its sum |
+//! | [`FittedForm::DampedKernel`] | `P0 - P1 h sum w (cos(phi) - B) / (1 + B^2 - 2 B cos(phi))`, `B = P2 g^p`, `h = min(g, t g^p)` |
+//! | the same with a first order of its own | and besides `- P3 h sum w cos(phi)` |
 //! | [`FittedForm::ThreeOrders`] | `P0 - sum w sum_(m = 1 .. 3) g^(m^2) (A_m cos(m phi) + B_m sin(m phi))` |
 //!
-//! The kernels are Poisson's: the sum over all orders of interference, each order damped by a power of the window.
+//! The kernels sum all orders of interference, each order damped by a power of the window: [`FittedForm::Kernel`] is
+//! Poisson's, with order m as `X^m`; [`FittedForm::DampedKernel`] is the real part of `z / (1 - B z)`, `z = e^(i phi)`, with
+//! order m as `h B^(m - 1)`, and loses no digits where the window closes.
+//!
 //! Source: fitted to the scene, by `pavo-fit`, against the exact spectral reflectance; the sum over orders is that of
 //! Belcour and Barla 2017, equation 5.
 
 use core::f64::consts::PI;
 use pavo_shade::{Real, Scalar, Value, Vector, shade};
-
-/// `g^(1 - p)` is kept at or below the exponential of this, 1000, where the window has closed.
-pub const LARGEST_LOG_GROWTH: f64 = 6.907_755_278_982_137;
 
 /// Coefficients of a polynomial in `y = 1 / (cos(theta1) + a)`, of ascending degree, at least one.
 pub type AnglePolynomial = Vec<f64>;
@@ -95,7 +95,9 @@ pub enum FittedForm {
         round_trip: AnglePolynomial,
         /// `p`.
         exponent: f64,
-        /// `P3`, what the first order has over the kernel's, if it is separate.
+        /// Logarithm of `t`, above 0: how far the window closes before it closes faster, as its power `p`.
+        log_taper: f64,
+        /// `P3`, what the first order has over the kernel's, if that is separate.
         first_order: Option<AnglePolynomial>,
     },
     /// Three orders, each with the phase that an absorbing base gives it.
@@ -144,26 +146,24 @@ pub fn fitted_reflectance<S: Scalar>(
             let kernels = sum::<S>(&fit.nodes, path_nm, |phase| 1.0 / (1.0 - kernel_sharpness * phase.cos()));
             mean - kernels * amplitude
         }
-        FittedForm::DampedKernel { contrast, round_trip, exponent, first_order } => {
-            let damping = (S::lit(*exponent) * log_window).exp();
-            let growth = (S::lit(1.0 - exponent) * log_window).min(S::lit(LARGEST_LOG_GROWTH)).exp();
-            let amplitude = polynomial(contrast, y) * growth;
-            let trip = polynomial(round_trip, y) * damping;
-            let trip_squared = trip * trip;
-            let numerator = amplitude * (1.0 - trip_squared);
-            let offset = 1.0 + trip_squared;
+        FittedForm::DampedKernel { contrast, round_trip, exponent, log_taper, first_order } => {
+            let log_damping = S::lit(*exponent) * log_window;
+            let window = log_window.min(log_damping + S::lit(*log_taper)).exp();
+            let amplitude = polynomial(contrast, y) * window;
+            let trip = polynomial(round_trip, y) * log_damping.exp();
+            let offset = 1.0 + trip * trip;
             let doubled = 2.0 * trip;
-            let kernels = match first_order {
-                None => sum::<S>(&fit.nodes, path_nm, |phase| numerator / (offset - doubled * phase.cos())),
+            let kernel = |cosine: S| (cosine - trip) / (offset - doubled * cosine);
+            match first_order {
+                None => mean - sum::<S>(&fit.nodes, path_nm, |phase| kernel(phase.cos())) * amplitude,
                 Some(first_order) => {
-                    let correction = amplitude * (polynomial(first_order, y) * damping);
-                    sum::<S>(&fit.nodes, path_nm, |phase| {
+                    let correction = polynomial(first_order, y) * window;
+                    mean - sum::<S>(&fit.nodes, path_nm, |phase| {
                         let cosine = phase.cos();
-                        numerator / (offset - doubled * cosine) + correction * cosine
+                        amplitude * kernel(cosine) + correction * cosine
                     })
                 }
-            };
-            mean + S::Vec3::splat(amplitude) - kernels
+            }
         }
         FittedForm::ThreeOrders { cosines, sines } => {
             // As polynomials in the cosine: cos(2 x) = 2 c^2 - 1, cos(3 x) = 4 c^3 - 3 c, sin(2 x) = 2 s c,

@@ -11,6 +11,7 @@
 //! E. Wolf, "Principles of Optics".
 
 pub mod airy;
+pub mod baked;
 pub mod cosines;
 pub mod film;
 pub mod fitted;
@@ -26,6 +27,7 @@ pub mod surface;
 pub mod wave;
 pub mod windowed;
 
+pub use baked::BakedFilm;
 pub use film::{BaseKind, Film, Method};
 pub use poles::Pole;
 pub use series::{GaussianFit, GaussianTerm};

@@ -70,7 +70,7 @@ pub fn windowed_reflectance<S: Scalar, R: Lanes<S> + Value<Leaf = S::Leaf>>(
     opd_nm: S,
 ) -> S::Vec3 {
     let [s, p] = both_series_terms(terms, media, q2, base);
-    let spread = opd_nm * S::lit(1.0 / window.width_nm);
+    let spread = (opd_nm * S::lit(1.0 / window.width_nm)).named("spread");
     let g = (-(spread * spread)).exp().named("window");
     let g_squared = (g * g).max(S::lit(0.01)).named("window_squared");
     let window_s = window_terms::<S, R>(s, g, g_squared).named("window_s");
@@ -85,7 +85,7 @@ pub fn windowed_reflectance<S: Scalar, R: Lanes<S> + Value<Leaf = S::Leaf>>(
             let denominator = terms.offset - terms.re * cosine + terms.im * sine;
             terms.strength / denominator.max(R::lit(1e-12))
         };
-        let node = contribution(window_s) + contribution(window_p);
+        let node = (contribution(window_s) + contribution(window_p)).named("node");
         color = (color - S::Vec3::lit3(*weight) * node.into_vec3()).named("color");
     }
     color
@@ -93,9 +93,9 @@ pub fn windowed_reflectance<S: Scalar, R: Lanes<S> + Value<Leaf = S::Leaf>>(
 
 /// Cosine and sine of the phase at each node, by the recurrence `c_(k+1) = 2 cos(step) c_k - c_(k-1)`.
 pub(crate) fn phases<S: Scalar>(window: &Window, opd_nm: S) -> Vec<[S; 2]> {
-    let phase_of = |angular_wave_number: f64| (S::lit(angular_wave_number) * opd_nm).named("phase");
-    let (first, second) = (phase_of(window.first), phase_of(window.first + window.step));
-    let doubled = (S::lit(2.0) * phase_of(window.step).cos()).named("doubled_cosine");
+    let phase_of = |angular_wave_number: f64, name: &str| (S::lit(angular_wave_number) * opd_nm).named(name);
+    let (first, second) = (phase_of(window.first, "phase"), phase_of(window.first + window.step, "phase"));
+    let doubled = (S::lit(2.0) * phase_of(window.step, "phase_step").cos()).named("doubled_cosine");
     let mut phases = vec![
         [first.cos().named("cosine"), first.sin().named("sine")],
         [second.cos().named("cosine"), second.sin().named("sine")],

@@ -29,7 +29,7 @@ impl VisitMut for Body<'_> {
             }
             Expr::Assign(assign) => {
                 if let Some(name) = plain_name(&assign.left) {
-                    assign.right = Box::new(bound(&assign.right, &name));
+                    *assign.right = bound(&assign.right, &name);
                 }
             }
             Expr::Binary(binary) => {
@@ -75,7 +75,7 @@ fn name_local(local: &mut syn::Local) -> Vec<Stmt> {
     match pattern {
         Pat::Ident(binding) if binding.by_ref.is_none() && binding.subpat.is_none() => {
             if is_named(&init.expr) {
-                init.expr = Box::new(bound(&init.expr, &binding.ident));
+                *init.expr = bound(&init.expr, &binding.ident);
             }
             Vec::new()
         }

@@ -287,8 +287,8 @@ impl<'g> Real for Expr<'g> {
     #[track_caller]
     fn mix(a: Self, b: Self, t: Self) -> Self {
         match (t, a.graph().or(b.graph()).or(t.graph())) {
-            (Expr::Literal(t), _) if t == 0.0 => a,
-            (Expr::Literal(t), _) if t == 1.0 => b,
+            (Expr::Literal(0.0), _) => a,
+            (Expr::Literal(1.0), _) => b,
             (_, Some(graph)) => {
                 let ([a, b, t], ty) = widened([a, b, t]);
                 graph.node(Op::Mix(graph.operand(a), graph.operand(b), graph.operand(t)), ty)

@@ -72,6 +72,6 @@ pub use function::{FunctionInfo, Input, ParameterInfo, Rate};
 pub use graph::{BinaryOp, Comparison, Graph, Node, NodeId, Op, Type, UnaryOp};
 pub use operations::Operations;
 pub use pavo_shade_macros::shade;
-pub use program::{Definition, Output, Parameter, Program, ReturnValue};
+pub use program::{Definition, Output, Parameter, Program, ReturnValue, operands};
 pub use real::{Lanes, Mask, Real, Scalar, Vector};
 pub use value::{Arguments, LeafInfo, Value, join};

@@ -192,8 +192,8 @@ fn reach(state: &State, needs: &HashMap<(u32, u32), BTreeSet<u32>>, function: u3
     reached
 }
 
-/// The operands of an operation other than a call or its result.
-pub(crate) fn operands(op: Op) -> impl Iterator<Item = u32> {
+/// The operands of an operation: nodes of the same function. The arguments of a call are in [`Definition::calls`].
+pub fn operands(op: Op) -> impl Iterator<Item = u32> {
     let (operands, count) = match op {
         Op::Literal(_) | Op::Literal3(_) | Op::Parameter(_) | Op::Call(..) => ([0; 3], 0),
         Op::Unary(_, a) | Op::Splat(a) | Op::Component(a, _) | Op::Result(a, _) => ([a, 0, 0], 1),

@@ -26,6 +26,7 @@
 //!
 //! Without the default feature `cli` the library emits text and needs neither the judges nor a driver.
 
+mod baking;
 mod emission;
 mod inputs;
 mod media;

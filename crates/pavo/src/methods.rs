@@ -47,6 +47,8 @@ impl MethodRequest<'_> {
                 let node = |term: &FitTerm| self.node(NM_PER_UM / term.wave_number[0], term.weight_re);
                 Ok(Method::Spectral { nodes: fit.terms.iter().map(node).collect() })
             }
+            // The surface that a polynomial is taken from.
+            Variant::Baked { .. } => Ok(Method::Spectral { nodes: self.spectral_nodes(81)? }),
             Variant::Spectral { count } => Ok(Method::Spectral { nodes: self.spectral_nodes(count)? }),
         }
     }

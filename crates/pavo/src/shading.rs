@@ -1,5 +1,6 @@
 //! A scene and a variant together: a surface that can be evaluated, and recorded as a graph.
 
+use crate::baking::{chebyshev_cosines, polynomial};
 use crate::inputs::{GraphReader, InputList, InputReader, PointReader, ShadingQuantity};
 use crate::media::{self, MediaError};
 use crate::methods::{FIRST_WAVELENGTH_NM, LAST_WAVELENGTH_NM, MethodError, MethodRequest};
@@ -10,7 +11,8 @@ use pavo_optics::film::{Media, film_terms};
 use pavo_optics::poles::both_series_terms;
 use pavo_optics::surface::{brdf_of_reflectance, shade_surface, surface_brdf, surface_radiance, surface_reflectance};
 use pavo_optics::{
-    BaseKind, Directions, Film, Finish, Geometry, Layers, Light, Method, Specular, Surface, light::punctual_light,
+    BakedFilm, BaseKind, Directions, Film, Finish, Geometry, Layers, Light, Method, Specular, Surface,
+    light::punctual_light,
 };
 use pavo_shade::{Graph, Input, Program, Rate, Scalar, Vector};
 use pavo_spectra::{OpticalConstants, Point, Reference, Sensitivities, Stack};
@@ -79,7 +81,30 @@ impl Shading {
                 VisibilityK::Value(_) => pavo_optics::VisibilityK::Given,
             },
         };
-        Ok(Self { scene: scene.clone(), variant: *variant, surface, sensitivities, dispersive_base })
+        let mut shading = Self { scene: scene.clone(), variant: *variant, surface, sensitivities, dispersive_base };
+        if let Variant::Baked { degree } = *variant {
+            shading.bake(degree)?;
+        }
+        Ok(shading)
+    }
+
+    /// Puts a polynomial over the angle in place of the film, through the exact reference.
+    fn bake(&mut self, degree: usize) -> Result<(), ShadingError> {
+        let quantity = ShadingQuantity::Reflectance;
+        let varying: Vec<String> =
+            self.inputs(quantity).into_iter().map(|input| input.name).filter(|name| name != "cos_theta1").collect();
+        if !varying.is_empty() {
+            return Err(ShadingError::Variant {
+                variant: self.variant.to_string(),
+                scene: self.scene.name.clone(),
+                cause: format!("its reflectance depends on {} besides the angle", varying.join(", ")),
+                help: "baked is for uniform surfaces: fix these in the scene, or take windowed:k=6".to_owned(),
+            });
+        }
+        let points: Vec<Vec<f64>> = chebyshev_cosines(degree + 1).into_iter().map(|cosine| vec![cosine]).collect();
+        let coefficients = polynomial(&self.reference_each(quantity, &points)?);
+        self.surface.specular = Specular::Baked(BakedFilm { coefficients });
+        Ok(())
     }
 
     /// The scene.

@@ -66,6 +66,11 @@ pub enum Variant {
         /// How many wavelengths.
         count: usize,
     },
+    /// `baked:degree=N`: a polynomial of degree N over the angle, for a uniform film.
+    Baked {
+        /// The degree.
+        degree: usize,
+    },
     /// `spectral:n=N`: the exact reflectance at N wavelengths from 380 to 780 nm, equally spaced.
     Spectral {
         /// How many wavelengths.
@@ -105,7 +110,7 @@ const fn counted(name: &'static str, low: usize, high: usize, default: &'static 
     OptionRow { name, range: Some((low, high)), default }
 }
 
-const FAMILIES: [Family; 6] = [
+const FAMILIES: [Family; 7] = [
     Family {
         name: "series",
         options: &[counted("m", 1, 32, "3"), OptionRow { name: "fit", range: None, default: "xyz-gauss" }],
@@ -114,6 +119,7 @@ const FAMILIES: [Family; 6] = [
     Family { name: "windowed", options: &[counted("k", 4, 10, "6")] },
     Family { name: "cosines", options: &[counted("k", 4, 10, "6"), counted("m", 1, 8, "1")] },
     Family { name: "nodes", options: &[counted("n", 4, 16, "8")] },
+    Family { name: "baked", options: &[counted("degree", 2, 16, "8")] },
     Family { name: "spectral", options: &[counted("n", 2, 512, "81")] },
 ];
 
@@ -134,7 +140,8 @@ impl Variant {
         let cosines = [(4, 1), (6, 1), (6, 2)].map(|(count, order)| Variant::Cosines { count, order });
         let nodes = [6, 8, 10, 16].map(|count| Variant::Nodes { count });
         let spectral = [16, 32, 81].map(|count| Variant::Spectral { count });
-        let families = [&belcour_barla[..], &fitted, &cosines, &windowed, &poles, &nodes, &spectral];
+        let baked = [4, 6, 8, 12].map(|degree| Variant::Baked { degree });
+        let families = [&belcour_barla[..], &fitted, &cosines, &windowed, &poles, &nodes, &baked, &spectral];
         families.concat()
     }
 }
@@ -147,6 +154,7 @@ impl fmt::Display for Variant {
             Variant::Windowed { count } => write!(f, "windowed:k={count}"),
             Variant::Cosines { count, order } => write!(f, "cosines:k={count},m={order}"),
             Variant::Nodes { count } => write!(f, "nodes:n={count}"),
+            Variant::Baked { degree } => write!(f, "baked:degree={degree}"),
             Variant::Spectral { count } => write!(f, "spectral:n={count}"),
         }
     }
@@ -177,6 +185,7 @@ impl FromStr for Variant {
             "windowed" => Variant::Windowed { count: counted("k")? },
             "cosines" => Variant::Cosines { count: counted("k")?, order: counted("m")? },
             "nodes" => Variant::Nodes { count: counted("n")? },
+            "baked" => Variant::Baked { degree: counted("degree")? },
             _ => Variant::Spectral { count: counted("n")? },
         })
     }
@@ -256,6 +265,7 @@ mod tests {
             ("windowed", Variant::Windowed { count: 6 }),
             ("cosines:m=2", Variant::Cosines { count: 6, order: 2 }),
             ("nodes:n=9", Variant::Nodes { count: 9 }),
+            ("baked:degree=5", Variant::Baked { degree: 5 }),
             ("series", Variant::Series { order: 3, fit: Fit::XyzGauss }),
             ("spectral:n=16", Variant::Spectral { count: 16 }),
             ("spectral", Variant::Spectral { count: 81 }),

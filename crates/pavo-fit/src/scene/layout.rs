@@ -24,8 +24,9 @@ pub(super) struct Layout {
     pub polynomials: Vec<Range<usize>>,
     pub wave_numbers: Range<usize>,
     pub phases: Range<usize>,
-    /// By wave, within it by channel. With unit weights the last wave has none: it takes what is left of 1.
+    /// By wave, within it by channel.
     pub weights: Range<usize>,
+    /// The window's exponent, and after it the logarithm of its taper, where it has them.
     pub exponent: usize,
     pub count: usize,
 }
@@ -43,22 +44,18 @@ impl Layout {
             count += length;
             range
         };
-        let exponent = take(usize::from(plan.has_exponent())).start;
+        let exponent = take(if plan.has_exponent() { 2 } else { 0 }).start;
         let mean = take((plan.mean_degree + 1) * if plan.mean_per_channel { 3 } else { 1 });
         let polynomials = plan.degrees.iter().map(|degree| take(degree + 1)).collect();
         let wave_numbers = take(plan.nodes);
         let phases = take(if plan.has_phases() { plan.nodes } else { 0 });
-        let weights = take(3 * (plan.nodes - usize::from(plan.unit_weights())));
+        let weights = take(3 * plan.nodes);
         Self { plan, mean, polynomials, wave_numbers, phases, weights, exponent, count }
     }
 
     /// The weight of a wave in a channel.
     pub fn weight(&self, parameters: &[f64], node: usize, channel: usize) -> f64 {
-        let weights = &parameters[self.weights.clone()];
-        match weights.get(3 * node + channel) {
-            Some(weight) => *weight,
-            None => 1.0 - (0..node).map(|other| weights[3 * other + channel]).sum::<f64>(),
-        }
+        parameters[self.weights.start + 3 * node + channel]
     }
 
     /// The film that the parameters stand for.
@@ -74,6 +71,7 @@ impl Layout {
                 contrast: next(),
                 round_trip: next(),
                 exponent: parameters[self.exponent],
+                log_taper: parameters[self.exponent + 1],
                 first_order: (self.plan.form == Form::CorrectedKernel).then(next),
             },
             Form::ThreeOrders => {

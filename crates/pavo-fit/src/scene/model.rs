@@ -34,8 +34,11 @@ pub(super) fn is_admissible(layout: &Layout, parameters: &[f64]) -> bool {
     if parameters.iter().any(|parameter| !parameter.is_finite()) || !(0.05..=4.0).contains(&offset) {
         return false;
     }
-    if layout.plan.has_exponent() && !(0.0..=20.0).contains(&parameters[layout.exponent]) {
-        return false;
+    if layout.plan.has_exponent() {
+        let [exponent, log_taper] = [parameters[layout.exponent], parameters[layout.exponent + 1]];
+        if !(1.0..=20.0).contains(&exponent) || !(0.0..=20.0).contains(&log_taper) {
+            return false;
+        }
     }
     let Some(bounded) = layout.plan.bounded() else { return true };
     let coefficients = &parameters[layout.polynomials[bounded].clone()];
@@ -58,6 +61,7 @@ pub(super) fn evaluate(
         polynomials: [0.0; MOST_POLYNOMIALS],
         log_window: -(parameters[Layout::WINDOW] * sample.path_um).powi(2),
         exponent: parameters[layout.exponent],
+        log_taper: parameters[layout.exponent + 1],
     };
     let mut slopes = [0.0; MOST_POLYNOMIALS];
     for (index, range) in layout.polynomials.iter().enumerate() {
@@ -74,7 +78,6 @@ pub(super) fn evaluate(
         let phase = if layout.plan.has_phases() { parameters[layout.phases.start + node] } else { 0.0 };
         4.0 * PI * parameters[layout.wave_numbers.start + node] * sample.path_um + phase
     };
-    let constant = local.constant();
     let mut waves = [Wave::default(); super::MAX_NODES];
     for (node, wave) in waves.iter_mut().enumerate().take(nodes) {
         *wave = local.wave(radians(node));
@@ -85,7 +88,7 @@ pub(super) fn evaluate(
         let weights: [f64; super::MAX_NODES] =
             core::array::from_fn(|node| if node < nodes { layout.weight(parameters, node, channel) } else { 0.0 });
         let total = |part: &dyn Fn(&Wave) -> f64| {
-            part(&constant) - waves.iter().zip(&weights).map(|(wave, weight)| weight * part(wave)).sum::<f64>()
+            -waves.iter().zip(&weights).map(|(wave, weight)| weight * part(wave)).sum::<f64>()
         };
         let value = mean + total(&|wave| wave.value);
         let Some(derivative) = derivative.as_deref_mut() else { return value };
@@ -112,19 +115,15 @@ pub(super) fn evaluate(
         );
         if layout.plan.has_exponent() {
             derivative(channel, layout.exponent, total(&|wave| wave.by_exponent));
+            derivative(channel, layout.exponent + 1, total(&|wave| wave.by_log_taper));
         }
-        // With unit weights the last wave loses what another gains.
-        let last = if layout.plan.unit_weights() { waves[nodes - 1].value } else { 0.0 };
         for (node, wave) in waves.iter().enumerate() {
             let by_phase = -weights[node] * wave.by_phase;
             derivative(channel, layout.wave_numbers.start + node, by_phase * 4.0 * PI * sample.path_um);
             if layout.plan.has_phases() {
                 derivative(channel, layout.phases.start + node, by_phase);
             }
-            let place = layout.weights.start + 3 * node + channel;
-            if place < layout.weights.end {
-                derivative(channel, place, last - wave.value);
-            }
+            derivative(channel, layout.weights.start + 3 * node + channel, -wave.value);
         }
         value
     })

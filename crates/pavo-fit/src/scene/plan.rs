@@ -71,14 +71,9 @@ impl Plan {
         Self { form, nodes, mean_degree, mean_per_channel, degrees }
     }
 
-    /// Whether the weights of each channel add up to 1: where the kernel's mean is taken off as a whole.
-    pub fn unit_weights(&self) -> bool {
-        matches!(self.form, Form::DampedKernel | Form::CorrectedKernel)
-    }
-
     /// Whether the window has an exponent.
     pub fn has_exponent(&self) -> bool {
-        self.unit_weights()
+        matches!(self.form, Form::DampedKernel | Form::CorrectedKernel)
     }
 
     /// Whether the waves have phases of their own.
@@ -108,8 +103,8 @@ impl Plan {
             Form::AngleOnly => angle + polynomials,
             Form::FirstOrder => angle + path + polynomials + 4 + 1 + 3 + node * self.nodes,
             Form::Kernel => angle + path + polynomials + 4 + 1 + 1 + 4 + 1 + 3 + (node + 1 + 4) * self.nodes,
-            Form::DampedKernel => angle + path + polynomials + 8 + 9 + 6 + (node + 1 + 4 + 1) * self.nodes,
-            Form::CorrectedKernel => angle + path + polynomials + 8 + 11 + 6 + (node + 1 + 4 + 2) * self.nodes,
+            Form::DampedKernel => angle + path + polynomials + 10 + 4 + 3 + (node + 1 + 1 + 4 + 1) * self.nodes,
+            Form::CorrectedKernel => angle + path + polynomials + 10 + 5 + (node + 1 + 1 + 4 + 1 + 2) * self.nodes,
             Form::ThreeOrders => angle + path + polynomials + 4 + 4 + 9 + 3 + (node + 4 + 7) * self.nodes,
         }
     }

@@ -10,12 +10,18 @@ use rayon::prelude::*;
 
 /// How many starts a form gets.
 const STARTS: u64 = 12;
-/// How many of them go on.
-const FINALISTS: usize = 3;
-/// The starts see every so many-th point.
+/// The rounds of the best starts: how many go on, over every so many-th point, with so many evaluations for each parameter.
+const ROUNDS: [Round; 2] = [Round { count: 5, stride: 3, patience: 4 }, Round { count: 2, stride: 1, patience: 4 }];
+/// Starts see every so many-th point.
 const COARSE_STRIDE: usize = 3;
-/// Evaluations for each parameter that a start gets, and that a finalist gets besides.
-const PATIENCE: [usize; 2] = [1, 4];
+/// Two fits whose errors differ by less than this part are taken for the same.
+const SAME: f64 = 1e-3;
+
+struct Round {
+    count: usize,
+    stride: usize,
+    patience: usize,
+}
 
 /// The best parameters of a form that are found. The same seed gives the same ones.
 pub(super) fn solve(layout: &Layout, media: Media, samples: &[Sample], seed: u64) -> Solution {
@@ -23,13 +29,17 @@ pub(super) fn solve(layout: &Layout, media: Media, samples: &[Sample], seed: u64
     let first = |index: u64| {
         let mut random = Random::new(seed.wrapping_mul(STARTS).wrapping_add(index));
         let parameters = solve_linear_part(layout, &coarse, start(layout, media, &mut random));
-        improve(layout, &coarse, parameters, PATIENCE[0])
+        improve(layout, &coarse, parameters, 1)
     };
     let mut solutions: Vec<Solution> = (0..STARTS).into_par_iter().map(first).collect();
-    solutions.sort_by(|a, b| a.rms.total_cmp(&b.rms));
-    solutions.truncate(FINALISTS);
-    let go_on = |solution: Solution| improve(layout, samples, solution.parameters, PATIENCE[1]);
-    let finals: Vec<Solution> = solutions.into_par_iter().map(go_on).collect();
-    let best = finals.into_iter().min_by(|a, b| a.rms.total_cmp(&b.rms));
+    for round in &ROUNDS {
+        solutions.sort_by(|a, b| a.rms.total_cmp(&b.rms));
+        solutions.dedup_by(|later, earlier| later.rms - earlier.rms < SAME * earlier.rms);
+        solutions.truncate(round.count);
+        let chosen: Vec<Sample> = samples.iter().copied().step_by(round.stride).collect();
+        let go_on = |solution: Solution| improve(layout, &chosen, solution.parameters, round.patience);
+        solutions = solutions.into_par_iter().map(go_on).collect();
+    }
+    let best = solutions.into_iter().min_by(|a, b| a.rms.total_cmp(&b.rms));
     best.expect("there is at least one start")
 }

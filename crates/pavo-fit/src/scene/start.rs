@@ -29,6 +29,7 @@ pub(super) fn start(layout: &Layout, media: Media, random: &mut Random) -> Vec<f
     parameters[Layout::WINDOW] = 2.0 * spacing * random.within(0.9, 2.2);
     if plan.has_exponent() {
         parameters[layout.exponent] = random.within(1.5, 4.0);
+        parameters[layout.exponent + 1] = random.within(2.0, 8.0);
     }
     for weight in &mut parameters[layout.weights.clone()] {
         *weight = 1.0 / plan.nodes as f64;
@@ -52,8 +53,8 @@ fn target(form: Form, index: usize, polarisations: [Polarisation; 2]) -> f64 {
     let round_trip =
         mean(&|polarisation| polarisation.transmittance * polarisation.round_trip.re) / transmittance.max(1e-9);
     match (form, index) {
-        (Form::FirstOrder, _) => 2.0 * transmittance * round_trip,
-        (Form::Kernel | Form::DampedKernel | Form::CorrectedKernel, 0) => transmittance,
+        (Form::FirstOrder, _) | (Form::DampedKernel | Form::CorrectedKernel, 0) => 2.0 * transmittance * round_trip,
+        (Form::Kernel, 0) => transmittance,
         (Form::Kernel, _) => 2.0 * round_trip / (1.0 + round_trip * round_trip),
         (Form::DampedKernel | Form::CorrectedKernel, 1) => round_trip,
         (Form::ThreeOrders, _) => {

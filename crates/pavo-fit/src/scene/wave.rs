@@ -1,10 +1,9 @@
 //! The thickness-dependent part of each form at one point, with its derivatives.
 //!
-//! Every form is `R_j = P0_j + C - sum_k w_jk t_k`, where `C` and `t_k` depend on the other polynomials' values at the
-//! angle, on the logarithm `x` of the window, on the window's exponent, and `t_k` on the phase of its wave.
+//! Every form is `R_j = P0_j - sum_k w_jk t_k`, where `t_k` depends on the other polynomials' values at the angle, on the
+//! logarithm of the window, on the window's exponent, and on the phase of its wave.
 
 use super::plan::Form;
-use pavo_optics::fitted::LARGEST_LOG_GROWTH;
 
 /// The most polynomials that a form has besides the mean.
 pub(super) const MOST_POLYNOMIALS: usize = 6;
@@ -19,6 +18,8 @@ pub(super) struct Local {
     pub log_window: f64,
     /// Exponent of the window.
     pub exponent: f64,
+    /// Logarithm of what the window's power is scaled by.
+    pub log_taper: f64,
 }
 
 /// A value with its derivatives.
@@ -28,23 +29,11 @@ pub(super) struct Wave {
     pub by_polynomial: [f64; MOST_POLYNOMIALS],
     pub by_log_window: f64,
     pub by_exponent: f64,
+    pub by_log_taper: f64,
     pub by_phase: f64,
 }
 
 impl Local {
-    /// The part that is the same for all waves and channels, `C`.
-    pub fn constant(&self) -> Wave {
-        let mut wave = Wave::default();
-        if matches!(self.form, Form::DampedKernel | Form::CorrectedKernel) {
-            let amplitude = self.amplitude();
-            wave.value = amplitude.value;
-            wave.by_polynomial[0] = amplitude.growth;
-            wave.by_log_window = amplitude.by_log_window;
-            wave.by_exponent = amplitude.by_exponent;
-        }
-        wave
-    }
-
     /// The part of one wave, `t_k`.
     pub fn wave(&self, phase: f64) -> Wave {
         match self.form {
@@ -83,28 +72,30 @@ impl Local {
         wave
     }
 
-    /// `n (1 - B^2) / (1 + B^2 - 2 B u)`, and with a first order of its own `n P3 g^p u` besides.
+    /// `P1 h (u - B) / (1 + B^2 - 2 B u)`, `B = P2 g^p`, `h = min(g, t g^p)`, and with a first order of its own `P3 h u`
+    /// besides.
     fn damped_kernel(&self, phase: f64) -> Wave {
-        let [_, round_trip, first_order, ..] = self.polynomials;
-        let damping = (self.exponent * self.log_window).exp();
-        let amplitude = self.amplitude();
+        let [contrast, round_trip, first_order, ..] = self.polynomials;
+        let log_damping = self.exponent * self.log_window;
+        let tapers = log_damping + self.log_taper < self.log_window;
+        let window = self.log_window.min(log_damping + self.log_taper).exp();
+        let damping = log_damping.exp();
         let (sine, cosine) = phase.sin_cos();
         let trip = round_trip * damping;
-        let numerator = 1.0 - trip * trip;
         let inverse = 1.0 / (1.0 + trip * trip - 2.0 * trip * cosine);
-        let correction = if self.form == Form::CorrectedKernel { first_order * damping } else { 0.0 };
-        let by_amplitude = numerator * inverse + correction * cosine;
-        let by_trip = -2.0 * amplitude.value * inverse * (trip + numerator * (trip - cosine) * inverse);
-        let by_correction = amplitude.value * cosine;
-        let by_damping =
-            by_trip * round_trip + if self.form == Form::CorrectedKernel { by_correction * first_order } else { 0.0 };
-        let mut wave = Wave { value: amplitude.value * by_amplitude, ..Wave::default() };
-        wave.by_polynomial[0] = amplitude.growth * by_amplitude;
+        let kernel = (cosine - trip) * inverse;
+        // A form without a first order of its own has 0 here.
+        let correction = first_order * window;
+        let by_trip = contrast * window * (2.0 * kernel * kernel - inverse);
+        let mut wave = Wave { value: contrast * window * kernel + correction * cosine, ..Wave::default() };
+        wave.by_polynomial[0] = window * kernel;
         wave.by_polynomial[1] = by_trip * damping;
-        wave.by_polynomial[2] = by_correction * damping;
-        wave.by_log_window = amplitude.by_log_window * by_amplitude + by_damping * damping * self.exponent;
-        wave.by_exponent = amplitude.by_exponent * by_amplitude + by_damping * damping * self.log_window;
-        wave.by_phase = -sine * amplitude.value * (2.0 * trip * numerator * inverse * inverse + correction);
+        wave.by_polynomial[2] = window * cosine;
+        wave.by_log_taper = if tapers { wave.value } else { 0.0 };
+        wave.by_log_window =
+            if tapers { self.exponent * wave.value } else { wave.value } + by_trip * trip * self.exponent;
+        wave.by_exponent = (wave.by_log_taper + by_trip * trip) * self.log_window;
+        wave.by_phase = -sine * (contrast * window * (1.0 - trip * trip) * inverse * inverse + correction);
         wave
     }
 
@@ -125,21 +116,4 @@ impl Local {
         }
         wave
     }
-
-    /// `n = P1 min(g^(1 - p), 1000)`.
-    fn amplitude(&self) -> Amplitude {
-        let log_growth = (1.0 - self.exponent) * self.log_window;
-        let grows = log_growth < LARGEST_LOG_GROWTH;
-        let growth = log_growth.min(LARGEST_LOG_GROWTH).exp();
-        let value = self.polynomials[0] * growth;
-        let slope = if grows { value } else { 0.0 };
-        Amplitude { value, growth, by_log_window: slope * (1.0 - self.exponent), by_exponent: -slope * self.log_window }
-    }
-}
-
-struct Amplitude {
-    value: f64,
-    growth: f64,
-    by_log_window: f64,
-    by_exponent: f64,
 }

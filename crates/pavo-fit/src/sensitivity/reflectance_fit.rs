@@ -88,8 +88,7 @@ pub(super) fn fit_windowed(
     reflectance: &FilmSamples,
     seed: u64,
 ) -> Option<Solution> {
-    let start_basis =
-        TransformBasis { form: Form::WindowedNodes, count, opds_um: transform.opds_um.clone() };
+    let start_basis = TransformBasis { form: Form::WindowedNodes, count, opds_um: transform.opds_um.clone() };
     let basis = ReflectanceBasis { count, points: &reflectance.points };
     let values = DMatrix::from_fn(reflectance.values.len(), 3, |row, channel| reflectance.values[row][channel]);
     let ones = DVector::from_element(values.nrows(), 1.0);

@@ -88,12 +88,7 @@ impl<'a, B: Basis> Separable<'a, B> {
     }
 }
 
-fn solve<B: Basis>(
-    basis: &B,
-    targets: &DMatrix<f64>,
-    row_scales: &DVector<f64>,
-    parameters: &[f64],
-) -> Solved {
+fn solve<B: Basis>(basis: &B, targets: &DMatrix<f64>, row_scales: &DVector<f64>, parameters: &[f64]) -> Solved {
     let (rows, count) = (targets.nrows(), basis.count());
     let groups = if basis.has_complex_weights() { 2 } else { 1 };
     let columns = scale_rows(basis.columns(parameters), row_scales);

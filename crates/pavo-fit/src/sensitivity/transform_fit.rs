@@ -59,8 +59,7 @@ impl Samples {
             Form::Gaussians | Form::WindowedNodes => 0.0,
         };
         let in_range = ((max_opd_um / 0.1).ceil() as usize).max(60);
-        let mut opds_um: Vec<f64> =
-            (1..=in_range).map(|index| max_opd_um * index as f64 / in_range as f64).collect();
+        let mut opds_um: Vec<f64> = (1..=in_range).map(|index| max_opd_um * index as f64 / in_range as f64).collect();
         let end_um = if tail_importance > 0.0 { LONGEST_TAIL_UM.min(TAIL * max_opd_um) } else { max_opd_um };
         let tail = ((end_um - max_opd_um) / 0.1).ceil().max(0.0) as usize;
         opds_um.extend((1..=tail).map(|index| max_opd_um + (end_um - max_opd_um) * index as f64 / tail as f64));
@@ -190,7 +189,11 @@ fn starts(basis: &TransformBasis, samples: &Samples, seed: u64) -> Vec<DVector<f
                 // The sensitivities of RGB have their weight from 1.6 (red) to 2.3 1/um (blue).
                 let mut wave_numbers: Vec<f64> = (0..count)
                     .map(|k| {
-                        if single { random.between(1.6, 2.3) } else { 1.55 + 0.8 * (k as f64 + random.uniform()) / count as f64 }
+                        if single {
+                            random.between(1.6, 2.3)
+                        } else {
+                            1.55 + 0.8 * (k as f64 + random.uniform()) / count as f64
+                        }
                     })
                     .collect();
                 wave_numbers.sort_by(f64::total_cmp);

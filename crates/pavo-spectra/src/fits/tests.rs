@@ -62,8 +62,7 @@ fn every_stored_fit_keeps_a_mirror_white_and_terms_in_the_visible() {
 #[test]
 fn every_family_and_count_is_built_in_for_each_spectrum() {
     for spectrum in &BUILT_IN_SPECTRA {
-        let sensitivities =
-            sensitivities(spectrum.observer, spectrum.illuminant.clone(), ColourSpace::LinearSrgb);
+        let sensitivities = sensitivities(spectrum.observer, spectrum.illuminant.clone(), ColourSpace::LinearSrgb);
         for family in FitFamily::ALL {
             for count in family.counts() {
                 let fit = built_in(family, count, &sensitivities, 1.0);
@@ -106,13 +105,17 @@ fn the_poles_reach_their_accuracy() {
 fn every_stored_fit_stays_bounded_far_beyond_its_range() {
     for spectrum in &BUILT_IN_SPECTRA {
         for fit in spectrum.stored_fits() {
-            let largest = (0..400)
-                .flat_map(|index| fit.transform_at(0.25 * f64::from(index)))
-                .map(|value| value.norm())
-                .fold(0.0, f64::max);
+            let what = format!("{} {} {}", spectrum.file, fit.family.name(), fit.terms.len());
+            let largest_from = |opd_um: f64| {
+                (0..400)
+                    .flat_map(|index| fit.transform_at(opd_um + 0.25 * f64::from(index)))
+                    .map(|value| value.norm())
+                    .fold(0.0, f64::max)
+            };
+            // The exact transform of red reaches 1.4 at 1.8 um, since red is negative in the blue-green.
+            assert!(largest_from(fit.max_opd_um) < 3.0, "{what}: {}", largest_from(fit.max_opd_um));
             // A quadrature returns to the sum of its weights' sizes; everything else dies away.
-            let limit = if fit.family == FitFamily::Nodes { 3.0 } else { 1.2 };
-            assert!(largest < limit, "{} {} {}: {largest}", spectrum.file, fit.family.name(), fit.terms.len());
+            assert!(fit.family == FitFamily::Nodes || largest_from(60.0) < 0.1, "{what}: {}", largest_from(60.0));
         }
     }
 }
@@ -129,10 +132,7 @@ fn the_smallest_range_that_reaches_is_chosen_and_else_the_largest() {
 #[test]
 fn other_spectra_have_no_fit() {
     let custom = Illuminant::from_csv("D65", "wavelength_nm,value\n300,1\n900,1\n").expect("a sound table");
-    for (observer, illuminant) in [
-        (Observer::Cie1964TenDegree, Illuminant::A),
-        (Observer::Cie1931TwoDegree, custom),
-    ] {
+    for (observer, illuminant) in [(Observer::Cie1964TenDegree, Illuminant::A), (Observer::Cie1931TwoDegree, custom)] {
         let sensitivities = sensitivities(observer, illuminant, ColourSpace::LinearSrgb);
         assert_eq!(built_in(FitFamily::Poles, 5, &sensitivities, 12.0), None);
     }
@@ -143,15 +143,16 @@ fn other_spectra_have_no_fit() {
 fn a_fit_carried_to_another_space_is_as_good_there() {
     for space in ColourSpace::ALL {
         let sensitivities = d65(space);
-        for family in [FitFamily::Poles, FitFamily::WindowedNodes, FitFamily::SharedGaussians, FitFamily::XyzGaussians] {
+        for family in [FitFamily::Poles, FitFamily::WindowedNodes, FitFamily::SharedGaussians, FitFamily::XyzGaussians]
+        {
             let fit = built_in(family, 5, &sensitivities, 12.0).expect("it is built in");
             let what = format!("{} in {}", family.name(), space.name());
             assert_weights_close(&fit, &what);
             let (max, _) = recomputed_errors(&fit, &sensitivities, 240);
             assert!((max / fit.max_error - 1.0).abs() < 0.03, "{what}: {max:e}, stated {:e}", fit.max_error);
-            // Channels differ, but no map between them magnifies an error by more than a few times.
+            // The rows from normalised X, Y, Z to linear sRGB have absolute sums up to 5.2; other maps magnify less.
             let stored = built_in(family, 5, &d65(stored_space(family)), 12.0).expect("it is built in");
-            assert!(fit.max_error < 3.0 * stored.max_error, "{what}: {:e}", fit.max_error);
+            assert!(fit.max_error < 5.3 * stored.max_error, "{what}: {:e}", fit.max_error);
             let tripled = family == FitFamily::XyzGaussians && space != ColourSpace::Xyz;
             assert_eq!(fit.terms.len(), if tripled { 15 } else { 5 }, "{what}");
         }

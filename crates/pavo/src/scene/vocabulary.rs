@@ -9,8 +9,8 @@ pub const ILLUMINANTS: &[&str] = &["E", "D65", "D50", "A"];
 /// The colour spaces a scene may name, all linear.
 pub const SPACES: &[&str] = &["linear-srgb", "display-p3", "rec2020", "acescg", "xyz"];
 
-/// The materials with built-in optical constants, by chemical symbol.
-pub const METALS: &[&str] = &["Ag", "Au", "Cu", "Ti", "Si"];
+/// The absorbing materials with built-in optical constants, by chemical symbol.
+pub const METALS: &[&str] = &pavo_spectra::OpticalConstants::ABSORBING_NAMES;
 
 /// The languages that can be emitted.
 pub const TARGETS: &[&str] = &["wgsl", "glsl450", "glsl330", "essl300", "spirv", "spirv-asm"];
