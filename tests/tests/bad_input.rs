@@ -59,11 +59,7 @@ fn a_bad_scene_is_refused_by_every_command() {
 fn bad_arguments_are_refused() {
     let cases: [(&[&str], &str, &str); 10] = [
         (&["build", "absent.toml"], "there is no scene file `absent.toml`", "pavo new"),
-        (
-            &["build", "scene.toml", "--variant", "sereis:m=3", "-o", "out"],
-            "unknown method `sereis`",
-            "series, poles",
-        ),
+        (&["build", "scene.toml", "--variant", "sereis:m=3", "-o", "out"], "unknown method `sereis`", "series, poles"),
         (&["build", "scene.toml", "--variant", "series:m=99", "-o", "out"], "`m=99`", "from 1 to 32"),
         (&["build", "scene.toml", "--target", "wgsl,hlsl7", "-o", "out"], "unknown target `hlsl7`", "essl300"),
         (&["emit", "scene.toml", "--target", "metal"], "unknown target `metal`", "glsl450"),

@@ -24,8 +24,6 @@ pub struct MethodRequest<'a> {
     pub base: Option<&'a OpticalConstants>,
     /// The largest optical path difference of a round trip in the scene, nm.
     pub max_opd_nm: f64,
-    /// How many orders of interference count.
-    pub orders: f64,
 }
 
 /// Why a method cannot be made, and what would be right.
@@ -107,13 +105,7 @@ impl MethodRequest<'_> {
     }
 
     fn fit(&self, family: FitFamily, count: usize) -> Result<SensitivityFit, MethodError> {
-        // The families that add up all orders ask for the transform at their multiples of a round trip.
-        let orders = match family {
-            FitFamily::Poles | FitFamily::WindowedNodes => self.orders,
-            _ => 1.0,
-        };
-        let reach_um = orders * self.max_opd_nm / NM_PER_UM;
-        built_in(family, count, self.sensitivities, reach_um).ok_or_else(|| {
+        built_in(family, count, self.sensitivities, self.max_opd_nm / NM_PER_UM).ok_or_else(|| {
             let (observer, illuminant) = (self.sensitivities.observer().name(), self.sensitivities.illuminant().name());
             let cause = format!(
                 "there is no built-in fit of {count} {} for the observer {observer}, the illuminant {illuminant} and the \

@@ -7,8 +7,6 @@ use crate::methods::{FIRST_WAVELENGTH_NM, LAST_WAVELENGTH_NM, MethodError, Metho
 use crate::scene::{Base, ColourQuantity, Quantity, Scene, VisibilityK};
 use crate::variant::Variant;
 use miette::Diagnostic;
-use pavo_optics::film::{Media, film_terms};
-use pavo_optics::poles::both_series_terms;
 use pavo_optics::surface::{brdf_of_reflectance, shade_surface, surface_brdf, surface_radiance, surface_reflectance};
 use pavo_optics::{
     BakedFilm, BaseKind, Directions, Film, Finish, Geometry, Layers, Light, Method, Specular, Surface,
@@ -64,7 +62,6 @@ impl Shading {
             sensitivities: &sensitivities,
             base: dispersive_base.as_ref(),
             max_opd_nm: scene.film.map_or(0.0, |film| 2.0 * film.ior.high() * film.thickness_nm.high()),
-            orders: significant_orders(scene, dispersive_base.as_ref()),
         };
         let specular = specular(scene, &request).map_err(|(cause, help)| ShadingError::Variant {
             variant: variant.to_string(),
@@ -398,37 +395,6 @@ fn specular(scene: &Scene, request: &MethodRequest<'_>) -> Result<Specular, Meth
         }
         _ => Specular::Film(film),
     })
-}
-
-/// How many orders of interference count in a scene: until what a round trip leaves has fallen to 1 %, at a cosine of
-/// 0.3 and the ends of the ranges.
-fn significant_orders(scene: &Scene, dispersive: Option<&OpticalConstants>) -> f64 {
-    const COSINE: f64 = 0.3;
-    const GREEN_NM: f64 = 555.0;
-    let Some(film) = scene.film else { return 1.0 };
-    let ends = |quantity: Quantity| [quantity.low(), quantity.high()];
-    let (base_iors, kappas) = match (&scene.base, dispersive) {
-        (Base::Dielectric { ior }, _) => (ends(*ior), [0.0; 2]),
-        (Base::Conductor { ior, kappa }, _) => (ends(*ior), ends(*kappa)),
-        (_, Some(base)) => {
-            let (n, k) = base.extended_at(GREEN_NM);
-            ([n; 2], [k; 2])
-        }
-        (_, None) => ([1.5, 6.0], [0.0; 2]),
-    };
-    let mut largest = 0.0_f64;
-    for ambient_ior in ends(scene.ambient.ior) {
-        for film_ior in ends(film.ior) {
-            for (base_ior, kappa) in base_iors.into_iter().flat_map(|ior| kappas.map(|kappa| (ior, kappa))) {
-                let media = Media { cos_theta1: COSINE, ambient_ior, film_ior };
-                let (wave, base) = (media.wave(true), media.base_wave(BaseKind::Conductor, base_ior, kappa));
-                for series in both_series_terms(film_terms(true, media, wave, base), media, wave.q2, base) {
-                    largest = largest.max(series.round_trip.hypot(series.round_trip_im));
-                }
-            }
-        }
-    }
-    if largest < 0.99 { (0.01_f64.ln() / largest.max(0.01).ln()).max(1.0) } else { f64::from(u16::MAX) }
 }
 
 /// The wavelength at the centre of each channel's sensitivity.

@@ -21,6 +21,8 @@ pub enum Task {
         /// Whether to install first what is missing from the system.
         set_up: bool,
     },
+    /// Make the committed fits of the sensitivities again.
+    Fits,
     /// Print the usage.
     Help,
 }
@@ -34,11 +36,12 @@ Tasks:
   demo [SCENE]       Set up, build the command, and run it on a scene: a file, or a name in templates/scenes
                      (soap-bubble where none is given)
   test [--no-setup]  Set up, then check formatting, lints, the build without features, documentation and tests
+  fits               Make the committed fits in crates/pavo-spectra/data/fits again (minutes)
   help               Print this
 
 Exit codes: 0 fine, 1 a check failed, 2 bad input, 3 something needed is missing";
 
-const TASKS: &str = "the tasks are setup, demo, test and help";
+const TASKS: &str = "the tasks are setup, demo, test, fits and help";
 
 /// Reads the words, the first of which names the task.
 ///
@@ -56,6 +59,7 @@ pub fn parse(words: impl IntoIterator<Item = OsString>) -> Result<Task, Failure>
             Some("setup") => Task::Setup,
             Some("demo") => Task::Demo { scene: None },
             Some("test") => Task::Test { set_up: true },
+            Some("fits") => Task::Fits,
             Some("help") => Task::Help,
             _ => {
                 return Err(Failure::bad_input(format!("`{}` is no task; {TASKS}", word.to_string_lossy())));
@@ -71,6 +75,7 @@ pub fn parse(words: impl IntoIterator<Item = OsString>) -> Result<Task, Failure>
             (Task::Test { set_up }, Arg::Long("no-setup")) => *set_up = false,
             (Task::Test { .. }, other) => return Err(not_taken(&other, "test", "it takes --no-setup only")),
             (Task::Setup, other) => return Err(not_taken(&other, "setup", "it takes nothing")),
+            (Task::Fits, other) => return Err(not_taken(&other, "fits", "it takes nothing")),
             (Task::Help, other) => return Err(not_taken(&other, "help", "it takes nothing")),
         }
     }
@@ -108,6 +113,7 @@ mod tests {
             ("demo -- -odd-name.toml", Task::Demo { scene: Some("-odd-name.toml".into()) }),
             ("test", Task::Test { set_up: true }),
             ("test --no-setup", Task::Test { set_up: false }),
+            ("fits", Task::Fits),
             ("help", Task::Help),
             ("--help", Task::Help),
             ("-h", Task::Help),
@@ -120,9 +126,9 @@ mod tests {
     #[test]
     fn other_words_are_refused_with_what_is_taken() {
         for (words, expected) in [
-            ("", "name a task: the tasks are setup, demo, test and help"),
-            ("tset", "`tset` is no task; the tasks are setup, demo, test and help"),
-            ("--no-setup", "cargo xtask does not take `--no-setup`; the tasks are setup, demo, test and help"),
+            ("", "name a task: the tasks are setup, demo, test, fits and help"),
+            ("tset", "`tset` is no task; the tasks are setup, demo, test, fits and help"),
+            ("--no-setup", "cargo xtask does not take `--no-setup`; the tasks are setup, demo, test, fits and help"),
             ("demo a b", "demo does not take `b`; it takes one scene"),
             ("demo --no-setup", "demo does not take `--no-setup`; it takes one scene"),
             ("test all", "test does not take `all`; it takes --no-setup only"),

@@ -41,6 +41,7 @@ fn run() -> Result<(), Failure> {
             setup::set_up(&workspace)?;
             demo::run(&workspace, &scene)
         }
+        Task::Fits => suite::make_fits(&workspace),
         Task::Test { set_up } => {
             if set_up {
                 setup::set_up(&workspace)?;

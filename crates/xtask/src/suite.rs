@@ -38,6 +38,17 @@ pub fn run(workspace: &Workspace) -> Result<(), Failure> {
     result
 }
 
+/// Makes the committed fits again, in their place.
+///
+/// # Errors
+///
+/// The program that makes them fails.
+pub fn make_fits(workspace: &Workspace) -> Result<(), Failure> {
+    let folder = "crates/pavo-spectra/data/fits";
+    let make = workspace.cargo(&["run", "--release", "--package", "pavo-fit", "--bin", "pavo-fits", "--", folder]);
+    Steps::default().run(workspace, "fits", &make, |_| Status::CheckFailed)
+}
+
 /// The components of Rust that not every installation has, and the subcommands of cargo that they add.
 const COMPONENTS: [(&str, &str); 2] = [("rustfmt", "fmt"), ("clippy", "clippy")];
 
