@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
 
 /// The names of the starter scenes in `templates/scenes`.
-pub const SCENES: [&str; 8] = [
+pub const SCENES: [&str; 9] = [
     "anodised-titanium",
     "bare-plastic",
     "beetle-shell",
@@ -14,6 +14,7 @@ pub const SCENES: [&str; 8] = [
     "lacquered-gold",
     "oil-on-water",
     "oxide-on-silicon",
+    "rutile-on-titanium",
     "soap-bubble",
 ];
 

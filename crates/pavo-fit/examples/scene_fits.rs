@@ -50,6 +50,7 @@ fn lines() -> Vec<Line> {
     }
     lines.extend([
         line("soap", SOAP, 3000.0, Some(DampedKernel), 4, 6e-3),
+        line("soap", SOAP, 3000.0, Some(DampedKernel), 5, 6e-3),
         line("soap", SOAP, 3000.0, Some(DampedKernel), 6, 2.5e-3),
         line("high-contrast", HIGH_CONTRAST, 3000.0, Some(CorrectedKernel), 5, 1.5e-3),
         line("high-contrast", HIGH_CONTRAST, 3000.0, Some(CorrectedKernel), 6, 1.5e-3),

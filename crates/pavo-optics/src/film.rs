@@ -212,9 +212,10 @@ pub fn film_reflectance<S: Scalar, R: Lanes<S> + Value<Leaf = S::Leaf>>(
     let wave = media.wave(film.total_reflection);
     let opd_nm = 2.0 * thickness_nm * wave.q2;
     if let Method::Spectral { nodes } = &film.method
-        && nodes.iter().any(|node| node.base.is_some())
+        && nodes.iter().any(|node| node.base.is_some() || node.film.is_some())
     {
-        return dispersive_reflectance(film, nodes, media, opd_nm);
+        let base_index = [base_ior, base_kappa];
+        return dispersive_reflectance::<S, R>(film, nodes, media, thickness_nm, opd_nm, base_index);
     }
     let base = media.base_wave(film.base, base_ior, base_kappa);
     let terms = film_terms(film.total_reflection, media, wave, base);

@@ -14,6 +14,8 @@ pub struct SpectralNode {
     pub weight: [f64; 3],
     /// Refractive index and extinction coefficient of a base that depends on the wavelength.
     pub base: Option<(f64, f64)>,
+    /// Refractive index of a film that depends on the wavelength.
+    pub film: Option<f64>,
 }
 
 impl SpectralNode {
@@ -38,30 +40,101 @@ pub fn spectral_reflectance<S: Scalar, R: Lanes<S> + Value<Leaf = S::Leaf>>(
     })
 }
 
-/// Reflectance of a film on a base whose index depends on the wavelength.
-pub fn dispersive_reflectance<S: Scalar>(film: &Film, nodes: &[SpectralNode], media: Media<S>, opd_nm: S) -> S::Vec3 {
+/// Reflectance of a film where its index, or that of its base, depends on the wavelength.
+pub fn dispersive_reflectance<S: Scalar, R: Lanes<S> + Value<Leaf = S::Leaf>>(
+    film: &Film,
+    nodes: &[SpectralNode],
+    media: Media<S>,
+    thickness_nm: S,
+    opd_nm: S,
+    base_index: [R; 2],
+) -> S::Vec3 {
     let Media { cos_theta1, ambient_ior, film_ior } = media;
+    let (total_reflection, base) = (film.total_reflection, film.base);
     weighted(nodes, |node| {
-        let (ior, kappa) = node.base.unwrap_or((1.0, 0.0));
-        let phase = opd_nm * S::lit(node.half_wave_number());
-        let (base_ior, base_kappa) = (S::lit(ior), S::lit(kappa));
-        let (total_reflection, base) = (film.total_reflection, film.base);
-        S::Vec3::splat(node_reflectance(
-            total_reflection,
-            base,
-            cos_theta1,
-            ambient_ior,
-            film_ior,
-            phase,
-            base_ior,
-            base_kappa,
-        ))
+        let half_wave_number = S::lit(node.half_wave_number());
+        let [base_ior, base_kappa] = node.base.map_or(base_index, |(ior, kappa)| [R::lit(ior), R::lit(kappa)]);
+        let reflectance = match node.film {
+            None => {
+                let phase = opd_nm * half_wave_number;
+                node_reflectance::<S, R>(
+                    total_reflection,
+                    base,
+                    cos_theta1,
+                    ambient_ior,
+                    film_ior,
+                    phase,
+                    base_ior,
+                    base_kappa,
+                )
+            }
+            Some(film_ior) => film_node_reflectance::<S, R>(
+                total_reflection,
+                base,
+                cos_theta1,
+                thickness_nm,
+                ambient_ior,
+                half_wave_number,
+                S::lit(film_ior),
+                base_ior,
+                base_kappa,
+            ),
+        };
+        reflectance.into_vec3()
     })
+}
+
+/// Reflectance of the film at one wavelength, with the indices that the film and its base have there.
+#[shade]
+pub fn film_node_reflectance<S: Scalar, R: Lanes<S> + Value<Leaf = S::Leaf>>(
+    /// Whether the film may reflect totally.
+    #[constant]
+    total_reflection: bool,
+    /// The kind of base.
+    #[constant]
+    base: BaseKind,
+    /// Cosine of the angle of incidence in the ambient medium, [0, 1].
+    cos_theta1: S,
+    /// Thickness of the film, nm, >= 0.
+    thickness_nm: S,
+    /// Refractive index of the ambient medium, > 0.
+    ambient_ior: S,
+    /// Half the wave number in vacuum, pi / wavelength, radians per nm.
+    #[runtime]
+    half_wave_number: S,
+    /// Refractive index of the film at this wavelength, > 0.
+    #[runtime]
+    film_ior: S,
+    /// Refractive index of the base at this wavelength, > 0.
+    #[runtime]
+    base_ior: R,
+    /// Extinction coefficient of the base at this wavelength, >= 0.
+    #[runtime]
+    base_kappa: R,
+) -> R {
+    let media = Media { cos_theta1, ambient_ior, film_ior };
+    let phase = 2.0 * thickness_nm * media.wave(total_reflection).q2 * half_wave_number;
+    airy_at_node(total_reflection, base, media, phase, base_ior, base_kappa)
+}
+
+/// Reflectance at one wavelength for the phase there.
+fn airy_at_node<S: Scalar, R: Lanes<S> + Value<Leaf = S::Leaf>>(
+    total_reflection: bool,
+    base: BaseKind,
+    media: Media<S>,
+    phase: S,
+    base_ior: R,
+    base_kappa: R,
+) -> R {
+    let wave = media.wave(total_reflection);
+    let terms = film_terms(total_reflection, media, wave, media.base_wave(base, base_ior, base_kappa));
+    let lanes = R::from_scalar;
+    airy_reflectance(total_reflection, terms.s, terms.p, lanes(wave.q2_squared), lanes(phase))
 }
 
 /// Reflectance of the film at one wavelength, with the index that the base has there.
 #[shade]
-pub fn node_reflectance<S: Scalar>(
+pub fn node_reflectance<S: Scalar, R: Lanes<S> + Value<Leaf = S::Leaf>>(
     /// Whether the film may reflect totally.
     #[constant]
     total_reflection: bool,
@@ -78,15 +151,13 @@ pub fn node_reflectance<S: Scalar>(
     phase: S,
     /// Refractive index of the base at this wavelength, > 0.
     #[runtime]
-    base_ior: S,
+    base_ior: R,
     /// Extinction coefficient of the base at this wavelength, >= 0.
     #[runtime]
-    base_kappa: S,
-) -> S {
+    base_kappa: R,
+) -> R {
     let media = Media { cos_theta1, ambient_ior, film_ior };
-    let wave = media.wave(total_reflection);
-    let terms = film_terms(total_reflection, media, wave, media.base_wave(base, base_ior, base_kappa));
-    airy_reflectance(total_reflection, terms.s, terms.p, wave.q2_squared, phase)
+    airy_at_node(total_reflection, base, media, phase, base_ior, base_kappa)
 }
 
 /// The sum of a reflectance over the nodes, each times its weight.

@@ -281,6 +281,7 @@ pub fn shade_surface<S: Scalar>(
     let cos_theta1 = half_vector.dot(light_direction).clamp(0.0, 1.0);
     let geometry = Geometry { n_dot_l, n_dot_v, n_dot_h, cos_theta1 };
     let radiance = surface_radiance::<S>(surface, geometry, layers, finish, light);
-    let hidden = n_dot_v.less_than(1e-6);
+    // Light exactly opposite the view has no half vector; it is below the horizon of one of the two.
+    let hidden = n_dot_v.min(n_dot_l).less_than(1e-6);
     S::Vec3::choose(hidden, S::Vec3::lit(0.0), radiance)
 }

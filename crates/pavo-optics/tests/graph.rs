@@ -86,7 +86,7 @@ fn spectral(bases: [Option<(f64, f64)>; 2]) -> Method {
 }
 
 fn nodes([first, second]: [Option<(f64, f64)>; 2]) -> Vec<SpectralNode> {
-    let node = |wavelength_nm, weight, base| SpectralNode { wavelength_nm, weight, base };
+    let node = |wavelength_nm, weight, base| SpectralNode { wavelength_nm, weight, base, film: None };
     vec![node(600.0, [0.8, 0.3, 0.0], first), node(470.0, [0.2, 0.7, 1.0], second)]
 }
 

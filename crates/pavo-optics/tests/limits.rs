@@ -85,7 +85,7 @@ fn check(seed: u64, method: &Method, limit: impl Fn(Point) -> Option<Point> + Co
 
 /// Weights that add up to 1 for each channel, and each channel its own.
 fn colouring_spectral() -> Method {
-    let node = |wavelength_nm, weight| SpectralNode { wavelength_nm, weight, base: None };
+    let node = |wavelength_nm, weight| SpectralNode { wavelength_nm, weight, base: None, film: None };
     Method::Spectral { nodes: vec![node(620.0, [0.75, 0.25, 0.0]), node(460.0, [0.25, 0.75, 1.0])] }
 }
 

@@ -145,7 +145,7 @@ fn channels_with_bases_of_their_own_are_computed_apart() {
 #[test]
 fn the_weights_of_the_wavelengths_make_the_colour() {
     let nodes = [(450.0, [0.1, 0.2, 0.7]), (550.0, [0.3, 0.5, 0.3]), (610.0, [0.6, 0.3, 0.0])];
-    let node = |(wavelength_nm, weight)| pavo_optics::SpectralNode { wavelength_nm, weight, base: None };
+    let node = |(wavelength_nm, weight)| pavo_optics::SpectralNode { wavelength_nm, weight, base: None, film: None };
     let film = film(DIELECTRIC, false, Method::Spectral { nodes: nodes.map(node).to_vec() });
     for case in moderate_cases(17, DIELECTRIC, 1.0, 200) {
         let found = colour(&film, &case);
@@ -166,7 +166,12 @@ fn a_dispersive_base_has_its_index_at_each_wavelength() {
     let nodes: Vec<_> = gold
         .iter()
         .zip([[0.0, 0.1, 0.9], [0.2, 0.8, 0.1], [0.8, 0.1, 0.0]])
-        .map(|(&(wavelength_nm, base), weight)| pavo_optics::SpectralNode { wavelength_nm, weight, base: Some(base) })
+        .map(|(&(wavelength_nm, base), weight)| pavo_optics::SpectralNode {
+            wavelength_nm,
+            weight,
+            base: Some(base),
+            film: None,
+        })
         .collect();
     let film = film(BaseKind::Conductor, false, Method::Spectral { nodes: nodes.clone() });
     for thickness_nm in [0.0, 80.0, 500.0] {

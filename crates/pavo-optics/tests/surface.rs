@@ -21,7 +21,7 @@ const KS: [VisibilityK; 3] = [VisibilityK::Punctual, VisibilityK::ImageBased, Vi
 
 /// Three wavelengths, one a channel.
 fn three_wavelengths() -> Method {
-    let node = |wavelength_nm, weight| SpectralNode { wavelength_nm, weight, base: None };
+    let node = |wavelength_nm, weight| SpectralNode { wavelength_nm, weight, base: None, film: None };
     Method::Spectral {
         nodes: vec![node(610.0, [1.0, 0.0, 0.0]), node(550.0, [0.0, 1.0, 0.0]), node(465.0, [0.0, 0.0, 1.0])],
     }
@@ -66,7 +66,7 @@ fn draw(random: &mut Random) -> Point {
 /// What reflects, one of each kind.
 fn speculars() -> Vec<Specular> {
     let film = |base| film(base, false, three_wavelengths());
-    let dispersive = |wavelength_nm, weight, base| SpectralNode { wavelength_nm, weight, base: Some(base) };
+    let dispersive = |wavelength_nm, weight, base| SpectralNode { wavelength_nm, weight, base: Some(base), film: None };
     vec![
         Specular::Film(film(DIELECTRIC)),
         Specular::Film(film(BaseKind::Conductor)),

@@ -34,6 +34,8 @@ pub fn expand(mut item: ItemFn) -> syn::Result<TokenStream> {
         syn::GenericParam::Const(parameter) => Some(&parameter.ident),
         syn::GenericParam::Lifetime(_) => None,
     });
+    let generic_constants = sig.generics.const_params().map(|parameter| &parameter.ident);
+    let generic_types = sig.generics.type_params().map(|parameter| &parameter.ident);
     let all = parameters.iter().map(|parameter| &parameter.name);
     let constants = parameters.iter().filter(|parameter| parameter.constant).map(|parameter| &parameter.name);
     let value_names: Vec<&Ident> = values.iter().map(|parameter| &parameter.name).collect();
@@ -60,7 +62,12 @@ pub fn expand(mut item: ItemFn) -> syn::Result<TokenStream> {
             };
             <#number as ::pavo_shade::Real>::call(
                 &INFO,
-                || { ::std::string::String::new() #(+ &::std::format!("{:?};", #constants))* },
+                || {
+                    ::std::string::String::new()
+                        #(+ &::std::format!("{:?};", #constants))*
+                        #(+ &::std::format!("{:?};", #generic_constants))*
+                        #(+ ::core::any::type_name::<#generic_types>() + ";")*
+                },
                 (#(#value_names,)*),
                 |(#(#value_names,)*)| body::<#(#type_parameters),*>(#(#all),*),
             )

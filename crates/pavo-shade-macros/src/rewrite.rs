@@ -1,7 +1,8 @@
 //! The rewriting of a function's body: literals become constants of the number type, bindings carry their names.
 
+use syn::spanned::Spanned;
 use syn::visit_mut::{self, VisitMut};
-use syn::{Expr, Ident, Pat, Stmt, parse_quote};
+use syn::{Expr, Ident, Pat, Stmt, parse_quote, parse_quote_spanned};
 
 /// Rewrites a body for this number type.
 pub struct Body<'a> {
@@ -20,12 +21,13 @@ impl VisitMut for Body<'_> {
                     && value.suffix().is_empty()
                 {
                     let number = self.number;
-                    *expr = parse_quote!(<#number as ::pavo_shade::Real>::lit(#value));
+                    // The span of the literal: an operation on it then stands where its author wrote it.
+                    *expr = parse_quote_spanned!(value.span()=> <#number as ::pavo_shade::Real>::lit(#value));
                 }
             }
             Expr::Path(path) if is_float_constant(&path.path) => {
                 let number = self.number;
-                *expr = parse_quote!(<#number as ::pavo_shade::Real>::lit(#path));
+                *expr = parse_quote_spanned!(path.span()=> <#number as ::pavo_shade::Real>::lit(#path));
             }
             Expr::Assign(assign) => {
                 if let Some(name) = plain_name(&assign.left) {
@@ -33,16 +35,17 @@ impl VisitMut for Body<'_> {
                 }
             }
             Expr::Binary(binary) => {
+                let written = binary.op.span();
                 let operator: syn::BinOp = match binary.op {
-                    syn::BinOp::AddAssign(_) => parse_quote!(+),
-                    syn::BinOp::SubAssign(_) => parse_quote!(-),
-                    syn::BinOp::MulAssign(_) => parse_quote!(*),
-                    syn::BinOp::DivAssign(_) => parse_quote!(/),
+                    syn::BinOp::AddAssign(_) => parse_quote_spanned!(written=> +),
+                    syn::BinOp::SubAssign(_) => parse_quote_spanned!(written=> -),
+                    syn::BinOp::MulAssign(_) => parse_quote_spanned!(written=> *),
+                    syn::BinOp::DivAssign(_) => parse_quote_spanned!(written=> /),
                     _ => return,
                 };
                 if let Some(name) = plain_name(&binary.left) {
                     let (left, right) = (&binary.left, &binary.right);
-                    let value = bound(&parse_quote!(#left #operator (#right)), &name);
+                    let value = bound(&parse_quote_spanned!(written=> #left #operator (#right)), &name);
                     *expr = parse_quote!(#left = #value);
                 }
             }
@@ -68,46 +71,55 @@ impl VisitMut for Body<'_> {
 /// Names a `let`: its value when it binds one name, each name after it when it takes a value apart.
 fn name_local(local: &mut syn::Local) -> Vec<Stmt> {
     let Some(init) = &mut local.init else { return Vec::new() };
-    let pattern = match &local.pat {
-        Pat::Type(typed) => &*typed.pat,
-        pattern => pattern,
+    let (pattern, declared) = match &mut local.pat {
+        Pat::Type(typed) => (&mut *typed.pat, Some(&typed.ty)),
+        pattern => (pattern, None),
     };
     match pattern {
         Pat::Ident(binding) if binding.by_ref.is_none() && binding.subpat.is_none() => {
             if is_named(&init.expr) {
-                *init.expr = bound(&init.expr, &binding.ident);
+                *init.expr = match declared {
+                    Some(declared) => bound_as(&init.expr, declared, &binding.ident),
+                    None => bound(&init.expr, &binding.ident),
+                };
             }
             Vec::new()
         }
         pattern => {
             let mut names = Names(Vec::new());
-            syn::visit::Visit::visit_pat(&mut names, pattern);
-            let rebind = |name: &Ident| -> Stmt {
+            names.visit_pat_mut(pattern);
+            let rebind = |(mutability, name): &(Option<syn::Token![mut]>, Ident)| -> Stmt {
                 let value = bound(&parse_quote!(#name), name);
-                parse_quote!(let #name = #value;)
+                parse_quote!(let #mutability #name = #value;)
             };
             names.0.iter().map(rebind).collect()
         }
     }
 }
 
-struct Names(Vec<Ident>);
+/// The names in a pattern. A `mut` goes from the pattern to where the name is bound again.
+struct Names(Vec<(Option<syn::Token![mut]>, Ident)>);
 
-impl<'ast> syn::visit::Visit<'ast> for Names {
-    fn visit_pat_ident(&mut self, pattern: &'ast syn::PatIdent) {
+impl VisitMut for Names {
+    fn visit_pat_ident_mut(&mut self, pattern: &mut syn::PatIdent) {
         if pattern.by_ref.is_none() {
-            self.0.push(pattern.ident.clone());
+            self.0.push((pattern.mutability.take(), pattern.ident.clone()));
         }
     }
 }
 
 /// The expression with a name.
 fn bound(expr: &Expr, name: &Ident) -> Expr {
+    bound_as(expr, &parse_quote!(_), name)
+}
+
+/// The expression of a declared type with a name. The type decides whether it is a value.
+fn bound_as(expr: &Expr, declared: &syn::Type, name: &Ident) -> Expr {
     let text = name.to_string();
     parse_quote!({
         #[allow(unused_imports)]
         use ::pavo_shade::naming::{BindMask as _, BindOther as _, BindValue as _, Binding};
-        (&&&Binding::new(#expr)).bind(#text)
+        (&&&Binding::<#declared>::new(#expr)).bind(#text)
     })
 }
 

@@ -25,6 +25,8 @@ pub enum Expr<'g> {
 pub enum ExprMask<'g> {
     /// Known at build time.
     Literal(bool),
+    /// Known at build time, for each component.
+    Literal3([bool; 3]),
     /// Computed at run time.
     Node(Expr<'g>),
 }
@@ -91,12 +93,14 @@ impl<'g> Expr<'g> {
 
 /// Operands widened to the type that they have together.
 #[track_caller]
-fn widened<'g, const N: usize>(operands: [Expr<'g>; N]) -> ([Expr<'g>; N], Type) {
-    if operands.iter().any(|operand| operand.ty() == Type::Vec3) {
-        (operands.map(Expr::as_vec3), Type::Vec3)
-    } else {
-        (operands, Type::Scalar)
+fn widened<'g, const N: usize>(mut operands: [Expr<'g>; N]) -> ([Expr<'g>; N], Type) {
+    if operands.iter().all(|operand| operand.ty() != Type::Vec3) {
+        return (operands, Type::Scalar);
     }
+    for operand in &mut operands {
+        *operand = operand.as_vec3();
+    }
+    (operands, Type::Vec3)
 }
 
 macro_rules! operator {
@@ -159,7 +163,7 @@ impl<'g> Mask for ExprMask<'g> {
         match (self, other) {
             (ExprMask::Literal(true), mask) | (mask, ExprMask::Literal(true)) => mask,
             (ExprMask::Literal(false), _) | (_, ExprMask::Literal(false)) => ExprMask::Literal(false),
-            (ExprMask::Node(a), ExprMask::Node(b)) => ExprMask::Node(a.mask_binary(BinaryOp::And, b)),
+            (a, b) => a.combined(BinaryOp::And, b),
         }
     }
     #[track_caller]
@@ -167,13 +171,14 @@ impl<'g> Mask for ExprMask<'g> {
         match (self, other) {
             (ExprMask::Literal(false), mask) | (mask, ExprMask::Literal(false)) => mask,
             (ExprMask::Literal(true), _) | (_, ExprMask::Literal(true)) => ExprMask::Literal(true),
-            (ExprMask::Node(a), ExprMask::Node(b)) => ExprMask::Node(a.mask_binary(BinaryOp::Or, b)),
+            (a, b) => a.combined(BinaryOp::Or, b),
         }
     }
     #[track_caller]
     fn not(self) -> Self {
         match self {
             ExprMask::Literal(value) => ExprMask::Literal(!value),
+            ExprMask::Literal3(values) => ExprMask::Literal3(values.map(|value| !value)),
             ExprMask::Node(expr) => {
                 let (graph, _, id) = expr.op().expect("a mask that is no literal is a node");
                 ExprMask::Node(graph.node(Op::Unary(UnaryOp::Not, graph.operand(expr)), graph.ty(id)))
@@ -188,12 +193,72 @@ impl<'g> Mask for ExprMask<'g> {
     }
 }
 
+impl<'g> ExprMask<'g> {
+    /// Two masks that are not alike in each component, combined: at least one is a node, or both are constant vectors.
+    #[track_caller]
+    fn combined(self, op: BinaryOp, other: Self) -> Self {
+        let both = |a: bool, b: bool| if op == BinaryOp::And { a & b } else { a | b };
+        match (self, other) {
+            (ExprMask::Node(a), ExprMask::Node(b)) => ExprMask::Node(a.mask_binary(op, b)),
+            (ExprMask::Node(a), constant) => ExprMask::Node(a.mask_binary(op, constant.in_graph_of(a))),
+            (constant, ExprMask::Node(b)) => ExprMask::Node(constant.in_graph_of(b).mask_binary(op, b)),
+            (a, b) => {
+                let (a, b) = (a.components(), b.components());
+                fold::literal_mask([both(a[0], b[0]), both(a[1], b[1]), both(a[2], b[2])])
+            }
+        }
+    }
+
+    fn components(self) -> [bool; 3] {
+        match self {
+            ExprMask::Literal(value) => [value; 3],
+            ExprMask::Literal3(values) => values,
+            ExprMask::Node(_) => unreachable!("it is a literal"),
+        }
+    }
+
+    /// A constant mask as a node: the comparison of two constant vectors.
+    #[track_caller]
+    fn in_graph_of(self, mask: Expr<'g>) -> Expr<'g> {
+        let graph = mask.graph().expect("a mask that is no literal is a node");
+        let numbers = self.components().map(|value| if value { 0.0 } else { 1.0 });
+        let half = graph.operand(Expr::Literal3([0.5; 3]));
+        let numbers = graph.operand(Expr::Literal3(numbers));
+        graph.node(Op::Compare(Comparison::Less, numbers, half), Type::Mask3)
+    }
+}
+
 impl<'g> Expr<'g> {
     #[track_caller]
     fn mask_binary(self, op: BinaryOp, other: Self) -> Self {
         let graph = self.graph().expect("a mask that is no literal is a node");
-        assert_eq!(self.ty(), other.ty(), "masks of a number and of a vector do not combine");
-        graph.node(Op::Binary(op, graph.operand(self), graph.operand(other)), self.ty())
+        let vector = self.ty() == Type::Mask3 || other.ty() == Type::Mask3;
+        let (a, b) = if vector { (self.as_mask3(), other.as_mask3()) } else { (self, other) };
+        let ty = if vector { Type::Mask3 } else { Type::Mask };
+        graph.node(Op::Binary(op, graph.operand(a), graph.operand(b)), ty)
+    }
+
+    /// The same mask for each component: the comparisons in it, of vectors instead of numbers.
+    #[track_caller]
+    fn as_mask3(self) -> Self {
+        let (graph, op, id) = self.op().expect("a mask that is no literal is a node");
+        if graph.ty(id) == Type::Mask3 {
+            return self;
+        }
+        let operand = |index: u32| Expr::Node(graph, NodeId { index, ..id });
+        let op = match op {
+            Op::Compare(comparison, a, b) => {
+                let (a, b) = (operand(a).as_vec3(), operand(b).as_vec3());
+                Op::Compare(comparison, graph.operand(a), graph.operand(b))
+            }
+            Op::Unary(op, a) => Op::Unary(op, graph.operand(operand(a).as_mask3())),
+            Op::Binary(op, a, b) => {
+                let (a, b) = (operand(a).as_mask3(), operand(b).as_mask3());
+                Op::Binary(op, graph.operand(a), graph.operand(b))
+            }
+            _ => unreachable!("a mask is a comparison or a combination of masks"),
+        };
+        graph.node(op, Type::Mask3)
     }
 }
 
@@ -263,17 +328,21 @@ impl<'g> Real for Expr<'g> {
         match mask {
             ExprMask::Literal(true) => if_true,
             ExprMask::Literal(false) => if_false,
+            ExprMask::Literal3([x, y, z]) => {
+                let (a, b) = (if_true, if_false);
+                Self::new(if x { a.x() } else { b.x() }, if y { a.y() } else { b.y() }, if z { a.z() } else { b.z() })
+            }
             ExprMask::Node(condition) => {
                 if let Some(same) = fold::same(if_true, if_false) {
                     return same;
                 }
                 let graph = condition.graph().expect("a mask that is no literal is a node");
-                let (branches, ty) = if condition.ty() == Type::Mask3 {
+                let ([if_true, if_false], ty) = if condition.ty() == Type::Mask3 {
                     ([if_true.as_vec3_in(graph), if_false.as_vec3_in(graph)], Type::Vec3)
                 } else {
                     widened([if_true, if_false])
                 };
-                let [if_true, if_false] = branches.map(|branch| graph.operand(branch));
+                let (if_true, if_false) = (graph.operand(if_true), graph.operand(if_false));
                 graph.node(Op::Select(graph.operand(condition), if_true, if_false), ty)
             }
         }

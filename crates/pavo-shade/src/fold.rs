@@ -120,8 +120,16 @@ pub(crate) fn binary<'g>(op: BinaryOp, a: Expr<'g>, b: Expr<'g>) -> Option<Expr<
         BinaryOp::Add | BinaryOp::Subtract if is(b, 0.0) => Some(a),
         BinaryOp::Subtract if is(a, 0.0) => Some(-b),
         BinaryOp::Subtract if same(a, b).is_some() => Some(Expr::Literal(0.0)),
-        BinaryOp::Add => negated(b).map(|b| a - b).or_else(|| negated(a).map(|a| b - a)),
-        BinaryOp::Subtract => negated(b).map(|b| a + b),
+        // No closures: they would hide where the caller stands.
+        BinaryOp::Add => match (negated(a), negated(b)) {
+            (_, Some(b)) => Some(a - b),
+            (Some(a), None) => Some(b - a),
+            (None, None) => None,
+        },
+        BinaryOp::Subtract => {
+            let b = negated(b)?;
+            Some(a + b)
+        }
         BinaryOp::Multiply if is(a, 1.0) => Some(b),
         BinaryOp::Multiply | BinaryOp::Divide if is(b, 1.0) => Some(a),
         BinaryOp::Multiply if is(a, -1.0) => Some(-b),
@@ -133,11 +141,15 @@ pub(crate) fn binary<'g>(op: BinaryOp, a: Expr<'g>, b: Expr<'g>) -> Option<Expr<
     }
 }
 
+/// A constant mask; one with equal components is kept as a truth value.
+pub(crate) fn literal_mask<'g>(mask: [bool; 3]) -> ExprMask<'g> {
+    let [x, y, z] = mask;
+    if x == y && y == z { ExprMask::Literal(x) } else { ExprMask::Literal3(mask) }
+}
+
 pub(crate) fn compare_literals<'g>(a: Expr<'g>, b: Expr<'g>) -> ExprMask<'g> {
     let (Some(a), Some(b)) = (components(a), components(b)) else { unreachable!("both are literals") };
-    let [x, y, z] = [a[0] < b[0], a[1] < b[1], a[2] < b[2]];
-    assert!(x == y && y == z, "a comparison of constant vectors must come out alike in each component");
-    ExprMask::Literal(x)
+    literal_mask([a[0] < b[0], a[1] < b[1], a[2] < b[2]])
 }
 
 pub(crate) fn dot_literals<'g>(a: Expr<'g>, b: Expr<'g>) -> Expr<'g> {
@@ -147,6 +159,6 @@ pub(crate) fn dot_literals<'g>(a: Expr<'g>, b: Expr<'g>) -> Expr<'g> {
 
 pub(crate) fn normalize_literal<'g>(vector: Expr<'g>) -> Expr<'g> {
     let Some(vector) = components(vector) else { unreachable!("it is a literal") };
-    let length = vector.iter().map(|component| component * component).sum::<f64>().sqrt();
-    literal3(vector.map(|component| component / length))
+    let scale = 1.0 / vector.iter().map(|component| component * component).sum::<f64>().sqrt();
+    literal3(vector.map(|component| component * scale))
 }

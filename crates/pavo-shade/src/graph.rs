@@ -169,8 +169,8 @@ pub(crate) enum ArgumentKey {
 
 #[derive(PartialEq, Eq, Hash)]
 struct InstanceKey {
-    module: &'static str,
-    name: &'static str,
+    /// The address of its `FunctionInfo`: two functions may have the same name in the same module.
+    function: usize,
     constants: String,
     arguments: Vec<ArgumentKey>,
 }
@@ -314,8 +314,7 @@ impl Graph {
             .map(|(argument, (parameter, _))| specialised(argument, *parameter))
             .collect();
         let instance = InstanceKey {
-            module: info.module,
-            name: info.name,
+            function: std::ptr::from_ref(info).addr(),
             constants,
             arguments: arguments
                 .iter()
@@ -323,30 +322,32 @@ impl Graph {
                 .map(|(argument, key)| key.clone().unwrap_or(ArgumentKey::Typed(argument.ty())))
                 .collect(),
         };
-        let passed: Vec<u32> = arguments
-            .iter()
-            .zip(&keys)
-            .filter(|(_, key)| key.is_none())
-            .map(|(argument, _)| self.operand(*argument))
-            .collect();
+        // No closures around what makes nodes: they would hide where the caller stands.
+        let mut passed: Vec<u32> = Vec::new();
+        for (argument, key) in arguments.iter().zip(&keys) {
+            if key.is_none() {
+                passed.push(self.operand(*argument));
+            }
+        }
 
         let known = self.state.borrow().instances.get(&instance).copied();
-        let function = known.unwrap_or_else(|| {
-            let function = self.open(info);
-            let inside: Vec<Expr<'g>> = arguments
-                .iter()
-                .zip(&keys)
-                .zip(parameters)
-                .map(|((argument, key), (whole, leaf))| match key {
-                    Some(_) => *argument,
-                    None => self.parameter(function, FunctionParameter { leaf, ty: argument.ty(), whole }),
-                })
-                .collect();
-            let returned = body(inside);
-            self.close(function, returned, results, result_type);
-            self.state.borrow_mut().instances.insert(instance, function);
-            function
-        });
+        let function = match known {
+            Some(function) => function,
+            None => {
+                let function = self.open(info);
+                let mut inside: Vec<Expr<'g>> = Vec::new();
+                for ((argument, key), (whole, leaf)) in arguments.iter().zip(&keys).zip(parameters) {
+                    inside.push(match key {
+                        Some(_) => *argument,
+                        None => self.parameter(function, FunctionParameter { leaf, ty: argument.ty(), whole }),
+                    });
+                }
+                let returned = body(inside);
+                self.close(function, returned, results, result_type);
+                self.state.borrow_mut().instances.insert(instance, function);
+                function
+            }
+        };
         self.results(function, passed)
     }
 
@@ -358,6 +359,7 @@ impl Graph {
         function
     }
 
+    #[track_caller]
     fn parameter(&self, function: u32, parameter: FunctionParameter) -> Expr<'_> {
         let ty = parameter.ty;
         let index = {

@@ -48,8 +48,8 @@ fn run(program: &Program, function: &Definition, arguments: &[Computed]) -> Vec<
             },
             Op::Unary(UnaryOp::Normalize, a) => {
                 let [x, y, z] = vec3(at(a));
-                let length = (x * x + y * y + z * z).sqrt();
-                Computed::Vec3([x / length, y / length, z / length])
+                let scale = 1.0 / (x * x + y * y + z * z).sqrt();
+                Computed::Vec3([x * scale, y * scale, z * scale])
             }
             Op::Unary(op, a) => map(node.ty, [at(a)], |[x]| evaluate_unary(op, x)),
             Op::Binary(BinaryOp::Dot, a, b) => {

@@ -101,7 +101,8 @@ impl Program {
         for function in liveness.callees_first() {
             builder.add(function);
         }
-        let body = builder.compact(0);
+        let mut body = builder.compact(0);
+        leave_out_forwarders(&mut builder.made, &mut body);
         let inputs = liveness.parameters[&0].iter().map(|&index| state.inputs[index as usize].clone()).collect();
         Self { functions: builder.made, body, inputs }
     }
@@ -127,28 +128,28 @@ impl Liveness {
             results: HashMap::new(),
             order: callers_first(state),
         };
-        let mut needs = HashMap::new();
-        for &function in liveness.order.iter().rev() {
-            for result in 0..state.functions[function as usize].results.len() as u32 {
-                let reached = reach(state, &needs, function, &result_roots(state, function, [result]));
-                needs.insert((function, result), reached.parameters);
+        // A call passes all parameters that its function needs anywhere, which may make more nodes, results and
+        // parameters needed: repeat until none is added.
+        loop {
+            let before = (liveness.parameters.clone(), liveness.results.clone());
+            for function in liveness.order.clone() {
+                let roots = if function == 0 {
+                    output_roots(state)
+                } else {
+                    let results = liveness.results.entry(function).or_default().iter().copied();
+                    result_roots(state, function, results)
+                };
+                let reached = reach(state, &liveness.parameters, function, &roots);
+                for (callee, result) in reached.results {
+                    liveness.results.entry(callee).or_default().insert(result);
+                }
+                liveness.nodes.insert(function, reached.nodes);
+                liveness.parameters.insert(function, reached.parameters);
+            }
+            if before.0 == liveness.parameters && before.1 == liveness.results {
+                return liveness;
             }
         }
-        for function in liveness.order.clone() {
-            let roots = if function == 0 {
-                output_roots(state)
-            } else {
-                let results = liveness.results.entry(function).or_default().iter().copied();
-                result_roots(state, function, results)
-            };
-            let reached = reach(state, &needs, function, &roots);
-            for (callee, result) in reached.results {
-                liveness.results.entry(callee).or_default().insert(result);
-            }
-            liveness.nodes.insert(function, reached.nodes);
-            liveness.parameters.insert(function, reached.parameters);
-        }
-        liveness
     }
 
     /// The functions of which a result is needed, callees before callers, without the outermost.
@@ -164,8 +165,8 @@ struct Reached {
     results: BTreeSet<(u32, u32)>,
 }
 
-/// All that some nodes of a function depend on, given what each callee's results depend on.
-fn reach(state: &State, needs: &HashMap<(u32, u32), BTreeSet<u32>>, function: u32, roots: &[u32]) -> Reached {
+/// All that some nodes of a function depend on, given the parameters that each callee needs.
+fn reach(state: &State, parameters: &HashMap<u32, BTreeSet<u32>>, function: u32, roots: &[u32]) -> Reached {
     let body = &state.functions[function as usize];
     let mut reached = Reached { nodes: BTreeSet::new(), parameters: BTreeSet::new(), results: BTreeSet::new() };
     let mut pending = roots.to_vec();
@@ -184,7 +185,8 @@ fn reach(state: &State, needs: &HashMap<(u32, u32), BTreeSet<u32>>, function: u3
                 };
                 reached.results.insert((callee, result));
                 let arguments = &body.calls[arguments as usize];
-                pending.extend(needs[&(callee, result)].iter().map(|&parameter| arguments[parameter as usize]));
+                let needed = parameters.get(&callee).into_iter().flatten();
+                pending.extend(needed.map(|&parameter| arguments[parameter as usize]));
             }
             op => pending.extend(operands(op)),
         }
@@ -250,12 +252,6 @@ impl Builder<'_> {
     /// Adds a function, or finds that one with the same text is there already.
     fn add(&mut self, function: u32) {
         let definition = self.compact(function);
-        if let Some(callee) = forwards(&definition) {
-            // A function that only passes on to another one gives it its name and is left out.
-            self.made[callee as usize].name = definition.name;
-            self.numbers.insert(function, callee);
-            return;
-        }
         let same = |other: &Definition| {
             other.name == definition.name
                 && other.parameters == definition.parameters
@@ -359,6 +355,31 @@ impl Builder<'_> {
                 },
             })
             .collect()
+    }
+}
+
+/// Leaves out functions that only pass on to another one. That one takes the name, unless others call it too.
+fn leave_out_forwarders(functions: &mut Vec<Definition>, body: &mut Definition) {
+    let mut index = 0;
+    while index < functions.len() {
+        let all = || functions.iter().chain([&*body]).flat_map(|definition| &definition.nodes);
+        let calls =
+            |callee: u32| all().filter(|node| matches!(node.op, Op::Call(called, _) if called == callee)).count();
+        let Some(callee) = forwards(&functions[index]).filter(|&callee| calls(callee) == 1) else {
+            index += 1;
+            continue;
+        };
+        let left_out = functions.remove(index);
+        functions[callee as usize].name = left_out.name;
+        for node in functions.iter_mut().chain([&mut *body]).flat_map(|definition| &mut definition.nodes) {
+            if let Op::Call(called, _) = &mut node.op {
+                *called = match (*called as usize).cmp(&index) {
+                    std::cmp::Ordering::Less => *called,
+                    std::cmp::Ordering::Equal => callee,
+                    std::cmp::Ordering::Greater => *called - 1,
+                };
+            }
+        }
     }
 }
 

@@ -70,6 +70,7 @@ pub trait Real:
     }
 
     /// A whole power by repeated squaring, as products (never the target's `pow`, which is inexact on GPUs).
+    #[track_caller]
     fn powi(self, exponent: u32) -> Self {
         match exponent {
             0 => Self::lit(1.0),

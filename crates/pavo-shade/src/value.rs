@@ -1,4 +1,4 @@
-//! What functions take and return: numbers, vectors, arrays, tuples, and structs marked `#[shade]`.
+//! What functions take and return: numbers, vectors, arrays, and structs marked `#[shade]`.
 
 use crate::function::ParameterInfo;
 

@@ -1,9 +1,11 @@
 //! From what a scene says of its materials and colours to the data behind the names.
 
-use crate::scene::{Base, Colour, Scene};
+use crate::scene::{Base, Colour, FilmMedium, Scene};
 use miette::Diagnostic;
 use pavo_spectra::illuminant::Illuminant;
+use pavo_spectra::wavelength::fine_grid;
 use pavo_spectra::{ColourSpace, Observer, OpticalConstants, Sensitivities};
+use std::path::Path;
 use thiserror::Error;
 
 /// Why the data of a scene cannot be had.
@@ -13,7 +15,7 @@ pub enum MediaError {
     #[error("{path}: {cause}")]
     #[diagnostic(
         code(pavo::media),
-        help("base.csv names a file beside the scene, with the columns wavelength_nm (or wavelength_um), n and k")
+        help("csv names a file beside the scene, with the columns wavelength_nm (or wavelength_um), n and k")
     )]
     File {
         /// The file.
@@ -46,12 +48,33 @@ pub(crate) fn sensitivities(colour: &Colour) -> Result<Sensitivities, MediaError
 pub(crate) fn dispersive_base(scene: &Scene) -> Result<Option<OpticalConstants>, MediaError> {
     match &scene.base {
         Base::Metal { name } => OpticalConstants::built_in(name).map(Some).map_err(data),
-        Base::Table { path } => {
-            let shown = path.display().to_string();
-            let text =
-                std::fs::read_to_string(path).map_err(|cause| MediaError::File { path: shown.clone(), cause })?;
-            OpticalConstants::from_csv(&shown, &text).map(Some).map_err(data)
-        }
+        Base::Table { path } => from_file(path).map(Some),
         Base::Dielectric { .. } | Base::Conductor { .. } | Base::Metalness => Ok(None),
     }
+}
+
+/// The index of a film over the spectrum, where it depends on the wavelength. It may not absorb.
+pub(crate) fn dispersive_film(scene: &Scene) -> Result<Option<OpticalConstants>, MediaError> {
+    let film = match scene.film.as_ref().map(|film| &film.medium) {
+        Some(FilmMedium::Material(name)) => OpticalConstants::built_in(name).map_err(data)?,
+        Some(FilmMedium::Table(path)) => from_file(path)?,
+        Some(FilmMedium::Index(_)) | None => return Ok(None),
+    };
+    let absorbing = fine_grid().into_iter().find(|wavelength| film.extended_at(*wavelength).1 > 0.0);
+    match absorbing {
+        None => Ok(Some(film)),
+        Some(wavelength) => Err(MediaError::Data {
+            message: format!(
+                "{}: the film absorbs at {wavelength} nm (k = {}); a film must be transparent, with k = 0 throughout",
+                film.name(),
+                film.extended_at(wavelength).1
+            ),
+        }),
+    }
+}
+
+fn from_file(path: &Path) -> Result<OpticalConstants, MediaError> {
+    let shown = path.display().to_string();
+    let text = std::fs::read_to_string(path).map_err(|cause| MediaError::File { path: shown.clone(), cause })?;
+    OpticalConstants::from_csv(&shown, &text).map_err(data)
 }

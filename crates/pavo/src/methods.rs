@@ -22,6 +22,8 @@ pub struct MethodRequest<'a> {
     pub sensitivities: &'a Sensitivities,
     /// The base, where its index depends on the wavelength.
     pub base: Option<&'a OpticalConstants>,
+    /// The film, where its index depends on the wavelength.
+    pub film: Option<&'a OpticalConstants>,
     /// The largest optical path difference of a round trip in the scene, nm.
     pub max_opd_nm: f64,
 }
@@ -63,7 +65,12 @@ impl MethodRequest<'_> {
     }
 
     fn node(&self, wavelength_nm: f64, weight: [f64; 3]) -> SpectralNode {
-        SpectralNode { wavelength_nm, weight, base: self.base.map(|base| base.extended_at(wavelength_nm)) }
+        SpectralNode {
+            wavelength_nm,
+            weight,
+            base: self.base.map(|base| base.extended_at(wavelength_nm)),
+            film: self.film.map(|film| film.extended_at(wavelength_nm).0),
+        }
     }
 
     fn gaussians(&self, fit: Fit) -> Result<GaussianFit, MethodError> {

@@ -4,7 +4,7 @@ use crate::baking::{chebyshev_cosines, polynomial};
 use crate::inputs::{GraphReader, InputList, InputReader, PointReader, ShadingQuantity};
 use crate::media::{self, MediaError};
 use crate::methods::{FIRST_WAVELENGTH_NM, LAST_WAVELENGTH_NM, MethodError, MethodRequest};
-use crate::scene::{Base, ColourQuantity, Quantity, Scene, VisibilityK};
+use crate::scene::{self, Base, ColourQuantity, FilmMedium, Quantity, Scene, VisibilityK};
 use crate::variant::Variant;
 use miette::Diagnostic;
 use pavo_optics::surface::{brdf_of_reflectance, shade_surface, surface_brdf, surface_radiance, surface_reflectance};
@@ -47,6 +47,7 @@ pub struct Shading {
     surface: Surface,
     sensitivities: Sensitivities,
     dispersive_base: Option<OpticalConstants>,
+    dispersive_film: Option<OpticalConstants>,
 }
 
 impl Shading {
@@ -57,11 +58,17 @@ impl Shading {
     pub fn new(scene: &Scene, variant: &Variant) -> Result<Self, ShadingError> {
         let sensitivities = media::sensitivities(&scene.colour)?;
         let dispersive_base = media::dispersive_base(scene)?;
+        let dispersive_film = media::dispersive_film(scene)?;
         let request = MethodRequest {
             variant,
             sensitivities: &sensitivities,
             base: dispersive_base.as_ref(),
-            max_opd_nm: scene.film.map_or(0.0, |film| 2.0 * film.ior.high() * film.thickness_nm.high()),
+            // Over a base that is known by its colour alone, the film's index in green light stands for it.
+            film: dispersive_film.as_ref().filter(|_| scene.base != Base::Metalness),
+            max_opd_nm: scene
+                .film
+                .as_ref()
+                .map_or(0.0, |film| 2.0 * film_index(film, dispersive_film.as_ref()).high() * film.thickness_nm.high()),
         };
         let specular = specular(scene, &request).map_err(|(cause, help)| ShadingError::Variant {
             variant: variant.to_string(),
@@ -78,7 +85,8 @@ impl Shading {
                 VisibilityK::Value(_) => pavo_optics::VisibilityK::Given,
             },
         };
-        let mut shading = Self { scene: scene.clone(), variant: *variant, surface, sensitivities, dispersive_base };
+        let mut shading =
+            Self { scene: scene.clone(), variant: *variant, surface, sensitivities, dispersive_base, dispersive_film };
         if let Variant::Baked { degree } = *variant {
             shading.bake(degree)?;
         }
@@ -116,8 +124,8 @@ impl Shading {
 
     /// What should be said of the data: where they do not reach over the visible range.
     pub fn warnings(&self) -> Vec<String> {
-        let base = self.dispersive_base.as_ref();
-        base.map(|base| base.warnings_for_range(FIRST_WAVELENGTH_NM, LAST_WAVELENGTH_NM)).unwrap_or_default()
+        let media = self.dispersive_base.iter().chain(&self.dispersive_film);
+        media.flat_map(|medium| medium.warnings_for_range(FIRST_WAVELENGTH_NM, LAST_WAVELENGTH_NM)).collect()
     }
 
     /// The run-time inputs of a quantity, in the order in which a point gives them.
@@ -205,7 +213,10 @@ impl Shading {
     /// The media at a point.
     fn stack(&self, layers: Layers<f64>) -> Result<Stack, MediaError> {
         let data = |error: &dyn std::fmt::Display| MediaError::Data { message: error.to_string() };
-        let film = OpticalConstants::constant(layers.film_ior, 0.0).map_err(|error| data(&error))?;
+        let film = match &self.dispersive_film {
+            Some(film) => film.clone(),
+            None => OpticalConstants::constant(layers.film_ior, 0.0).map_err(|error| data(&error))?,
+        };
         let base = match &self.dispersive_base {
             Some(base) => base.clone(),
             None => OpticalConstants::constant(layers.base_ior, layers.base_kappa).map_err(|error| data(&error))?,
@@ -264,8 +275,8 @@ impl Shading {
 
     fn layers<S: Scalar>(&self, reader: &mut impl InputReader<S>) -> Layers<S> {
         let scene = &self.scene;
-        let (thickness, film_ior) = match scene.film {
-            Some(film) => (film.thickness_nm, film.ior),
+        let (thickness, film_ior) = match &scene.film {
+            Some(film) => (film.thickness_nm, film_index(film, self.dispersive_film.as_ref())),
             None => (Quantity::Fixed(0.0), Quantity::Fixed(1.0)),
         };
         let (base_ior, base_kappa) = match scene.base {
@@ -369,7 +380,7 @@ fn specular(scene: &Scene, request: &MethodRequest<'_>) -> Result<Specular, Meth
         // The base's index comes from its reflectance in the ambient medium, so it is never the smaller one.
         Base::Metalness => BaseKind::Dielectric { total_reflection: false },
     };
-    let Some(film) = scene.film else {
+    let Some(film) = &scene.film else {
         return Ok(match (&scene.base, request.base) {
             (Base::Metalness, _) => Specular::BareMetalness,
             (_, None) => Specular::Bare(kind),
@@ -383,7 +394,7 @@ fn specular(scene: &Scene, request: &MethodRequest<'_>) -> Result<Specular, Meth
     let is_at_wavelengths = matches!(method, Method::Spectral { .. });
     let film = Film {
         base: kind,
-        total_reflection: film.ior.low() < scene.ambient.ior.high(),
+        total_reflection: film_index(film, request.film).low() < scene.ambient.ior.high(),
         method,
         channel_wavelengths_nm: channel_wavelengths(request.sensitivities),
     };
@@ -395,6 +406,16 @@ fn specular(scene: &Scene, request: &MethodRequest<'_>) -> Result<Specular, Meth
         }
         _ => Specular::Film(film),
     })
+}
+
+/// The index of a film where one number stands for the spectrum: that in green light.
+fn film_index(film: &scene::Film, dispersive: Option<&OpticalConstants>) -> Quantity {
+    const GREEN_NM: f64 = 555.0;
+    match (&film.medium, dispersive) {
+        (FilmMedium::Index(ior), _) => *ior,
+        (_, Some(constants)) => Quantity::Fixed(constants.extended_at(GREEN_NM).0),
+        (_, None) => Quantity::Fixed(1.0),
+    }
 }
 
 /// The wavelength at the centre of each channel's sensitivity.

@@ -310,7 +310,7 @@ fn a_name_that_is_not_known_is_refused_with_the_nearest() {
             "'specular'",
         ),
         ("workflow", "metal = 'gold'", "unknown metal `gold`", "did you mean `Au`?", "'gold'"),
-        ("workflow", "metal = 'Pt'", "unknown metal `Pt`", "the metals are: Ag, Au, Cu, Ti, Si", "'Pt'"),
+        ("workflow", "metal = 'Xx'", "unknown metal `Xx`", "the metals are: Ag, Ag-Rakic, Al, Au", "'Xx'"),
         (
             "visibility_k",
             "visibility_k = 'punktual'",
@@ -464,7 +464,7 @@ fn an_error_is_drawn_with_its_line_its_labels_and_its_help() {
         "    ·   ╰── and again here",
         " 12 │ [surface]",
         "    ╰────",
-        "  help: keep one of these: `ior` (a dielectric), `ior` and `kappa` (a conductor), `metal` (Ag, Au, Cu, Ti, Si), \
+        "  help: keep one of these: `ior` (a dielectric), `ior` and `kappa` (a conductor), `metal` (such as Au, Al, Ti, Si), \
          `csv` (a file of wavelength, n, k), `workflow = \"metalness\"`",
     ];
     assert_eq!(lines, expected);

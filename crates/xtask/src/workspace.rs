@@ -30,10 +30,15 @@ impl Workspace {
         // This package is two folders below the root: crates/xtask.
         let root = manifest_folder.ancestors().nth(2).unwrap_or(manifest_folder).to_owned();
         let target = match std::env::var_os("CARGO_TARGET_DIR").filter(|folder| !folder.is_empty()) {
-            Some(folder) => std::path::absolute(&folder).map_err(|error| {
-                let folder = folder.to_string_lossy();
-                Failure::bad_input(format!("CARGO_TARGET_DIR is `{folder}`, which cannot be made absolute: {error}"))
-            })?,
+            // Resolved where it is there already, as it is when cargo has compiled this tool into it.
+            Some(folder) => {
+                std::fs::canonicalize(&folder).or_else(|_| std::path::absolute(&folder)).map_err(|error| {
+                    let folder = folder.to_string_lossy();
+                    Failure::bad_input(format!(
+                        "CARGO_TARGET_DIR is `{folder}`, which cannot be made absolute: {error}"
+                    ))
+                })?
+            }
             None => root.join("target"),
         };
         let cargo = std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into());

@@ -17,7 +17,7 @@ use pavo_spectra::{OpticalConstants, Point, Reference, Stack};
 const MIDDLE_NM: f64 = 555.0;
 
 /// Points within the ranges, points along each edge, and the shift: of the fit, and of the judgement.
-const FITTED: (usize, usize, f64) = (1500, 60, 0.137);
+const FITTED: (usize, usize, f64) = (1600, 30, 0.137);
 const HELD_OUT: (usize, usize, f64) = (2048, 33, 0.611);
 
 /// Fits the reflectance of a scene, and measures the error in `f32` on points that the fit has not seen: over
@@ -88,6 +88,7 @@ fn plans(request: &SceneFitRequest<'_>) -> Vec<Plan> {
             (Form::Kernel, 3),
             (Form::Kernel, 4),
             (Form::DampedKernel, 4),
+            (Form::DampedKernel, 5),
             (Form::CorrectedKernel, 5),
             (Form::CorrectedKernel, 6),
             (Form::DampedKernel, 6),

@@ -128,3 +128,82 @@ pub(super) fn evaluate(
         value
     })
 }
+
+#[cfg(test)]
+mod tests {
+    use super::super::fresnel::Media;
+    use super::super::plan::{Form, Plan};
+    use super::super::random::Random;
+    use super::super::start::start;
+    use super::*;
+    use nalgebra::Complex;
+    use pavo_optics::fitted::fitted_reflectance;
+
+    const FIXED: Fixed = Fixed { ambient_ior: 1.0, film_ior: 1.5, thickness_nm: [0.0, 3000.0] };
+
+    fn cases() -> Vec<(Layout, Vec<f64>)> {
+        let media = Media { ambient_ior: 1.0, film_ior: 1.5, base: Complex::new(2.7, 0.4) };
+        let mut random = Random::new(5);
+        let mut case = |form, coloured| {
+            let layout = Layout::new(Plan::new(form, 4, coloured));
+            let mut parameters = start(&layout, media, &mut random);
+            // Nothing is left at 0, where a wrong derivative may go unseen.
+            parameters[layout.mean.start] += 0.1;
+            for parameter in &mut parameters {
+                *parameter += 0.01 * random.within(0.5, 1.0);
+            }
+            (layout, parameters)
+        };
+        Form::ALL.into_iter().flat_map(|form| [case(form, false), case(form, true)]).collect()
+    }
+
+    fn samples() -> Vec<(Point, Sample)> {
+        [(1.0, 0.0), (0.7, 120.0), (0.31, 480.0), (0.05, 900.0), (0.9, 2600.0)]
+            .map(|(cos, thickness)| Point::new(cos, thickness))
+            .map(|point| (point, Sample::new(point, FIXED, [0.0; 3])))
+            .to_vec()
+    }
+
+    #[test]
+    fn derivatives_are_those_of_the_values() {
+        for (layout, parameters) in cases() {
+            for (_, sample) in samples() {
+                let mut exact = vec![[0.0; 3]; layout.count];
+                let mut take = |channel: usize, place: usize, value: f64| exact[place][channel] = value;
+                evaluate(&layout, &parameters, &sample, Some(&mut take));
+                for (place, exact) in exact.iter().enumerate() {
+                    let at = |step: f64| {
+                        let mut moved = parameters.clone();
+                        moved[place] += step;
+                        evaluate(&layout, &moved, &sample, None)
+                    };
+                    let (low, high) = (at(-1e-5), at(1e-5));
+                    for channel in 0..3 {
+                        let difference = (high[channel] - low[channel]) / 2e-5;
+                        let allowed = 1e-6 * (1.0 + difference.abs());
+                        let form = layout.plan.form;
+                        assert!(
+                            (difference - exact[channel]).abs() < allowed,
+                            "{form:?}, parameter {place}, {sample:?}: {} against {difference}",
+                            exact[channel]
+                        );
+                    }
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn the_fitted_model_is_the_description() {
+        for (layout, parameters) in cases() {
+            let film = layout.film(&parameters, FIXED);
+            for (point, sample) in samples() {
+                let fitted = evaluate(&layout, &parameters, &sample, None);
+                let described = fitted_reflectance::<f64>(&film, point.cos_theta1, point.thickness_nm).to_array();
+                for (fitted, described) in fitted.into_iter().zip(described) {
+                    assert!((fitted - described).abs() < 1e-11, "{:?}: {fitted} {described}", layout.plan.form);
+                }
+            }
+        }
+    }
+}

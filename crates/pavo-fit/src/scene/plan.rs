@@ -59,8 +59,8 @@ impl Plan {
             Form::FirstOrder => (3, vec![3]),
             Form::Kernel if !fine => (3, vec![2, 2]),
             Form::Kernel => (4, vec![3, 3]),
-            Form::DampedKernel => (4, vec![3, 3]),
-            Form::CorrectedKernel => (4, vec![3, 3, 3]),
+            Form::DampedKernel => (4, vec![4, 3]),
+            Form::CorrectedKernel => (4, vec![4, 3, 3]),
             Form::ThreeOrders => (3, vec![3, 3, 2, 3, 3, 2]),
         };
         let nodes = if form == Form::AngleOnly { 0 } else { nodes };

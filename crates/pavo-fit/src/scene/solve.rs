@@ -9,9 +9,9 @@ use super::start::start;
 use rayon::prelude::*;
 
 /// How many starts a form gets.
-const STARTS: u64 = 12;
+const STARTS: u64 = 16;
 /// The rounds of the best starts: how many go on, over every so many-th point, with so many evaluations for each parameter.
-const ROUNDS: [Round; 2] = [Round { count: 5, stride: 3, patience: 4 }, Round { count: 2, stride: 1, patience: 4 }];
+const ROUNDS: [Round; 2] = [Round { count: 5, stride: 3, patience: 6 }, Round { count: 2, stride: 1, patience: 6 }];
 /// Starts see every so many-th point.
 const COARSE_STRIDE: usize = 3;
 /// Two fits whose errors differ by less than this part are taken for the same.

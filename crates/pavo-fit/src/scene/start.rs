@@ -7,8 +7,8 @@ use super::points::LEAST_COS;
 use super::random::Random;
 use nalgebra::{DMatrix, DVector};
 
-/// The wave numbers between which the sensitivities lie, 1/um: 690 to 420 nm.
-const VISIBLE_WAVE_NUMBERS: [f64; 2] = [1.45, 2.38];
+/// The wave numbers between which the waves are spread, 1/um: 633 to 424 nm. The best fits have theirs there.
+const SPREAD_WAVE_NUMBERS: [f64; 2] = [1.58, 2.36];
 
 /// How close the amplitude of a round trip may come to 1 at the start.
 const LARGEST_ROUND_TRIP: f64 = 0.97;
@@ -19,17 +19,17 @@ pub(super) fn start(layout: &Layout, media: Media, random: &mut Random) -> Vec<f
     let mut parameters = vec![0.0; layout.count];
     let offset = random.within(0.3, 0.9);
     parameters[Layout::ANGLE_OFFSET] = offset;
-    let [low, high] = VISIBLE_WAVE_NUMBERS;
+    let [low, high] = SPREAD_WAVE_NUMBERS;
     let spacing = (high - low) / plan.nodes.max(1) as f64;
     for node in 0..plan.nodes {
         let centre = low + spacing * (node as f64 + 0.5);
-        parameters[layout.wave_numbers.start + node] = centre + spacing * random.within(-0.3, 0.3);
+        parameters[layout.wave_numbers.start + node] = centre + spacing * random.within(-0.25, 0.25);
     }
     // Each wave stands for a band of about the spacing's width: the window is that band's transform.
-    parameters[Layout::WINDOW] = 2.0 * spacing * random.within(0.9, 2.2);
+    parameters[Layout::WINDOW] = 2.0 * spacing * random.within(1.6, 2.8);
     if plan.has_exponent() {
-        parameters[layout.exponent] = random.within(1.5, 4.0);
-        parameters[layout.exponent + 1] = random.within(2.0, 8.0);
+        parameters[layout.exponent] = random.within(2.5, 4.0);
+        parameters[layout.exponent + 1] = random.within(5.0, 14.0);
     }
     for weight in &mut parameters[layout.weights.clone()] {
         *weight = 1.0 / plan.nodes as f64;

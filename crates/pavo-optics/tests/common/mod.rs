@@ -131,7 +131,7 @@ impl Case {
 
 /// The exact reflectance at one wavelength, the same for each channel.
 pub fn at_wavelength(wavelength_nm: f64) -> Method {
-    Method::Spectral { nodes: vec![SpectralNode { wavelength_nm, weight: [1.0; 3], base: None }] }
+    Method::Spectral { nodes: vec![SpectralNode { wavelength_nm, weight: [1.0; 3], base: None, film: None }] }
 }
 
 /// The series at one wavelength: a Gaussian without width.

@@ -40,6 +40,8 @@ pub enum Command {
     Eval(Eval),
     /// Render a lit sphere on lavapipe.
     Preview(Preview),
+    /// Draw the sensitivities and their fits, or the colours of a scene beside the exact ones.
+    Plot(Plot),
     /// List the variants of a scene with their errors and operation counts.
     Variants(Variants),
     /// Say which judges and drivers were found.
@@ -140,6 +142,48 @@ pub struct Preview {
     /// The width and height of the picture in pixels.
     #[arg(long, default_value_t = 512, value_parser = clap::value_parser!(u32).range(16..=4096))]
     pub size: u32,
+}
+
+#[derive(Debug, Args)]
+pub struct Plot {
+    #[command(subcommand)]
+    pub plot: PlotCommand,
+}
+
+#[derive(Debug, Subcommand)]
+pub enum PlotCommand {
+    /// Draw spectral sensitivities, their Fourier transforms and the Gaussian fits of both.
+    Sensitivities(PlotSensitivities),
+    /// Draw the reflectance over angle and thickness, beside the exact one and their difference.
+    Reflectance(PlotReflectance),
+}
+
+#[derive(Debug, Args)]
+pub struct PlotSensitivities {
+    /// The observer: cie1931-2deg or cie1964-10deg.
+    #[arg(long, default_value = "cie1931-2deg")]
+    pub observer: String,
+    /// The illuminant: E, D65, D50 or A.
+    #[arg(long, default_value = "E")]
+    pub illuminant: String,
+    /// The colour space: linear-srgb, display-p3, rec2020, acescg or xyz.
+    #[arg(long, default_value = "xyz")]
+    pub space: String,
+    /// The picture to write, .svg or .png.
+    #[arg(short, long, value_name = "FILE", default_value = "sensitivities.svg")]
+    pub output: PathBuf,
+}
+
+#[derive(Debug, Args)]
+pub struct PlotReflectance {
+    /// The scene file.
+    pub scene: PathBuf,
+    /// The variant [default: that of the scene].
+    #[arg(long)]
+    pub variant: Option<String>,
+    /// The picture to write, .png or .svg.
+    #[arg(short, long, value_name = "FILE", default_value = "reflectance.png")]
+    pub output: PathBuf,
 }
 
 #[derive(Debug, Args)]

@@ -13,6 +13,7 @@ mod failure;
 mod manifest;
 mod new;
 mod output;
+mod plot;
 mod points_table;
 mod preview;
 mod progress;
@@ -44,6 +45,7 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
         Command::Check(arguments) => check::run(&arguments),
         Command::Eval(arguments) => eval::run(&arguments),
         Command::Preview(arguments) => preview::run(&arguments),
+        Command::Plot(arguments) => plot::run(&arguments.plot),
         Command::Variants(arguments) => variants::run(&arguments),
         Command::Doctor(arguments) => doctor::run(&arguments),
         Command::New(arguments) => new::run(&arguments),

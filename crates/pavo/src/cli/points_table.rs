@@ -1,7 +1,7 @@
 //! Tables of points: CSV whose header names run-time inputs.
 
 use super::failure::Failure;
-use crate::scene::{Quantity, Scene};
+use crate::scene::{FilmMedium, Quantity, Scene};
 use pavo_shade::{Input, Type};
 use std::path::Path;
 
@@ -141,10 +141,12 @@ fn ignored(header: &[String], columns: &[String]) -> Vec<String> {
 
 /// The value of an input that the scene fixes.
 fn fixed_in(scene: &Scene, column: &str) -> Option<f64> {
-    let film = |quantity: fn(&crate::scene::Film) -> Quantity| scene.film.as_ref().map(quantity);
     let quantity = match column {
-        "thickness_nm" => film(|film| film.thickness_nm),
-        "film_ior" => film(|film| film.ior),
+        "thickness_nm" => scene.film.as_ref().map(|film| film.thickness_nm),
+        "film_ior" => scene.film.as_ref().and_then(|film| match film.medium {
+            FilmMedium::Index(ior) => Some(ior),
+            FilmMedium::Material(_) | FilmMedium::Table(_) => None,
+        }),
         "ambient_ior" => Some(scene.ambient.ior),
         "roughness" => Some(scene.surface.roughness),
         "metalness" => scene.surface.metalness,

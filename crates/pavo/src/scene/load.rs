@@ -8,7 +8,7 @@ use toml::de::DeTable;
 
 use super::error::SceneError;
 use super::fault::{Checked, Fault};
-use super::model::{Base, Scene};
+use super::model::{Base, FilmMedium, Scene};
 use super::places::Places;
 use super::read::read;
 use super::shown::shown;
@@ -127,13 +127,19 @@ fn syntax_error(file_name: &str, text: &str, error: &toml::de::Error) -> SceneEr
 }
 
 fn check_table_is_a_file(scene: &Scene) -> Checked<()> {
-    match &scene.base {
-        Base::Table { path } if !path.is_file() => {
-            let message = format!("`base.csv` names `{}`, which is not a file", shown(&path.display().to_string()));
-            let help = "the path is taken from the folder of the scene file; \
-                        the file lists wavelength, n and k";
-            Err(Fault::at("base.csv", "no such file", message, help))
-        }
-        _ => Ok(()),
+    let film = match scene.film.as_ref().map(|film| &film.medium) {
+        Some(FilmMedium::Table(path)) => Some(("film.csv", path)),
+        _ => None,
+    };
+    let base = match &scene.base {
+        Base::Table { path } => Some(("base.csv", path)),
+        _ => None,
+    };
+    for (key, path) in film.into_iter().chain(base).filter(|(_, path)| !path.is_file()) {
+        let message = format!("`{key}` names `{}`, which is not a file", shown(&path.display().to_string()));
+        let help = "the path is taken from the folder of the scene file; \
+                    the file lists wavelength, n and k";
+        return Err(Fault::at(key, "no such file", message, help));
     }
+    Ok(())
 }

@@ -6,7 +6,7 @@
 //!
 //! ```
 //! use std::path::Path;
-//! use pavo::scene::{Quantity, Scene};
+//! use pavo::scene::{FilmMedium, Quantity, Scene};
 //!
 //! let text = r#"
 //! name = "soap-bubble"
@@ -18,7 +18,7 @@
 //! "#;
 //! let scene = Scene::from_toml("soap-bubble.toml", text, Path::new("."))?;
 //! let film = scene.film.expect("the scene has a film");
-//! assert_eq!(film.ior, Quantity::Fixed(1.33));
+//! assert_eq!(film.medium, FilmMedium::Index(Quantity::Fixed(1.33)));
 //! assert!(film.thickness_nm.is_input());
 //! # Ok::<(), pavo::scene::SceneError>(())
 //! ```
@@ -42,9 +42,11 @@ mod tests;
 
 pub use error::SceneError;
 pub use load::MAXIMUM_FILE_BYTES;
-pub use model::{Ambient, Base, Colour, ColourQuantity, Emit, Film, Lights, Quantity, Scene, Surface, VisibilityK};
+pub use model::{
+    Ambient, Base, Colour, ColourQuantity, Emit, Film, FilmMedium, Lights, Quantity, Scene, Surface, VisibilityK,
+};
 pub use starter::{STARTER, starter};
 pub use vocabulary::{
-    DEFAULT_TARGETS, DEFAULT_VARIANT, ILLUMINANTS, MAXIMUM_IDENTIFIER_LENGTH, MAXIMUM_INDEX, MAXIMUM_THICKNESS_NM,
-    METALS, MINIMUM_INDEX, OBSERVERS, SPACES, TARGETS,
+    DEFAULT_TARGETS, DEFAULT_VARIANT, FILM_MATERIALS, ILLUMINANTS, MAXIMUM_IDENTIFIER_LENGTH, MAXIMUM_INDEX,
+    MAXIMUM_THICKNESS_NM, METALS, MINIMUM_INDEX, OBSERVERS, SPACES, TARGETS,
 };

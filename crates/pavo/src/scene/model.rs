@@ -160,12 +160,25 @@ impl Default for Ambient {
 }
 
 /// A thin film that does not absorb.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Film {
-    /// Refractive index.
-    pub ior: Quantity,
+    /// What it is made of.
+    #[serde(flatten)]
+    pub medium: FilmMedium,
     /// Thickness in nanometres, within [0, [`MAXIMUM_THICKNESS_NM`](super::MAXIMUM_THICKNESS_NM)].
     pub thickness_nm: Quantity,
+}
+
+/// What a film is made of.
+#[derive(Clone, Debug, PartialEq)]
+pub enum FilmMedium {
+    /// A refractive index, the same at each wavelength.
+    Index(Quantity),
+    /// A transparent material whose index at each wavelength is built in; one of
+    /// [`FILM_MATERIALS`](super::FILM_MATERIALS).
+    Material(String),
+    /// A material whose index at each wavelength is read from a file; it may not absorb.
+    Table(PathBuf),
 }
 
 /// What lies under the film, or is the surface itself where there is no film.

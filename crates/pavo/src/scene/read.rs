@@ -1,17 +1,20 @@
 //! From a parsed TOML document to a scene.
 
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 use toml::de::{DeTable, DeValue};
 
 use super::fault::{Checked, Fault};
-use super::model::{Ambient, Base, Colour, ColourQuantity, Emit, Film, Lights, Quantity, Scene, Surface, VisibilityK};
+use super::model::{
+    Ambient, Base, Colour, ColourQuantity, Emit, Film, FilmMedium, Lights, Quantity, Scene, Surface, VisibilityK,
+};
 use super::shown::shown;
 use super::suggest::did_you_mean;
 use super::table::{Table, numbers, wrong_type};
-use super::vocabulary::{METALS, VISIBILITY_NAMES, WORKFLOWS};
+use super::vocabulary::{VISIBILITY_NAMES, WORKFLOWS};
 
-const FILM_HELP: &str = "a film has `ior` and `thickness_nm`; for a surface without a film leave `[film]` out";
+const FILM_HELP: &str =
+    "a film has `ior` (or `material`, or `csv`) and `thickness_nm`; for a surface without a film leave `[film]` out";
 
 const CONDUCTOR_HELP: &str = "a conductor has both parts of its index, as in `ior = 2.7` and `kappa = 3.8`";
 
@@ -34,7 +37,7 @@ pub(super) fn read(document: &DeTable<'_>, directory: &Path) -> Checked<Scene> {
         name: name.to_owned(),
         colour: colour.map_or_else(|| Ok(Colour::default()), |table| read_colour(&table))?,
         ambient: ambient.map_or_else(|| Ok(Ambient::default()), |table| read_ambient(&table))?,
-        film: film.map(|table| read_film(&table)).transpose()?,
+        film: film.map(|table| read_film(&table, directory)).transpose()?,
         surface: read_surface(surface.as_ref(), &base)?,
         base,
         lights: lights.map_or_else(|| Ok(Lights::default()), |table| read_lights(&table))?,
@@ -51,12 +54,9 @@ fn missing_base() -> Box<Fault> {
     Fault::at("base", "`[base]` is missing", "the scene does not say what the surface is made of", help)
 }
 
-fn kinds_of_base() -> String {
-    format!(
-        "`ior` (a dielectric), `ior` and `kappa` (a conductor), `metal` ({}), \
-         `csv` (a file of wavelength, n, k), `workflow = \"metalness\"`",
-        METALS.join(", ")
-    )
+fn kinds_of_base() -> &'static str {
+    "`ior` (a dielectric), `ior` and `kappa` (a conductor), `metal` (such as Au, Al, Ti, Si), \
+     `csv` (a file of wavelength, n, k), `workflow = \"metalness\"`"
 }
 
 fn read_colour(table: &Table<'_>) -> Checked<Colour> {
@@ -73,11 +73,20 @@ fn read_ambient(table: &Table<'_>) -> Checked<Ambient> {
     Ok(table.quantity("ior")?.map_or_else(Ambient::default, |ior| Ambient { ior }))
 }
 
-fn read_film(table: &Table<'_>) -> Checked<Film> {
-    Ok(Film {
-        ior: table.required_quantity("ior", FILM_HELP)?,
-        thickness_nm: table.required_quantity("thickness_nm", FILM_HELP)?,
-    })
+fn read_film(table: &Table<'_>, directory: &Path) -> Checked<Film> {
+    let given: Vec<&str> = ["ior", "material", "csv"].into_iter().filter(|key| table.has(key)).collect();
+    let medium = match given[..] {
+        ["material"] => FilmMedium::Material(table.string("material")?.unwrap_or_default().to_owned()),
+        ["csv"] => FilmMedium::Table(csv_path("film.csv", table.string("csv")?.unwrap_or_default(), directory)?),
+        [first, .., last] => {
+            let message = format!("`[film]` describes the material more than once: by `{first}` and by `{last}`");
+            let help = "keep one of `ior` (a number or a range), `material` (a built-in one) and `csv` (a file)";
+            let fault = Fault::at(format!("film.{last}"), "and again here", message, help).in_key();
+            return Err(fault.and_at(format!("film.{first}"), "described here"));
+        }
+        _ => FilmMedium::Index(table.required_quantity("ior", FILM_HELP)?),
+    };
+    Ok(Film { medium, thickness_nm: table.required_quantity("thickness_nm", FILM_HELP)? })
 }
 
 fn read_base(table: &Table<'_>, directory: &Path) -> Checked<Base> {
@@ -96,7 +105,10 @@ fn read_base(table: &Table<'_>, directory: &Path) -> Checked<Base> {
             Err(Fault::at("base.kappa", "needs `ior` beside it", message, CONDUCTOR_HELP))
         }
         ["metal"] => Ok(Base::Metal { name: table.string("metal")?.unwrap_or_default().to_owned() }),
-        ["csv"] => read_csv(table.string("csv")?.unwrap_or_default(), directory),
+        ["csv"] => {
+            let file = table.string("csv")?.unwrap_or_default();
+            Ok(Base::Table { path: csv_path("base.csv", file, directory)? })
+        }
         [] => {
             let message = "`[base]` does not say what the material is";
             Err(Fault::at("base", "no material", message, format!("give one of: {}", kinds_of_base())))
@@ -115,12 +127,12 @@ fn read_base(table: &Table<'_>, directory: &Path) -> Checked<Base> {
     }
 }
 
-fn read_csv(file: &str, directory: &Path) -> Checked<Base> {
+fn csv_path(key: &str, file: &str, directory: &Path) -> Checked<PathBuf> {
     if file.trim().is_empty() {
         let help = "name a file beside the scene, as in `csv = \"nickel.csv\"`, of wavelength, n and k";
-        return Err(Fault::at("base.csv", "empty", "`base.csv` names no file", help));
+        return Err(Fault::at(key, "empty", format!("`{key}` names no file"), help));
     }
-    Ok(Base::Table { path: directory.join(file) })
+    Ok(directory.join(file))
 }
 
 fn read_workflow(workflow: &str) -> Checked<Base> {

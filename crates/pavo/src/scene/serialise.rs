@@ -2,7 +2,7 @@
 
 use serde::ser::{Serialize, SerializeMap, Serializer};
 
-use super::model::{Base, ColourQuantity, Quantity, VisibilityK};
+use super::model::{Base, ColourQuantity, FilmMedium, Quantity, VisibilityK};
 
 impl Serialize for Quantity {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
@@ -29,6 +29,18 @@ impl Serialize for VisibilityK {
             VisibilityK::ImageBased => serializer.serialize_str("ibl"),
             VisibilityK::Value(k) => k.serialize(serializer),
         }
+    }
+}
+
+impl Serialize for FilmMedium {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        let mut map = serializer.serialize_map(None)?;
+        match self {
+            FilmMedium::Index(ior) => map.serialize_entry("ior", ior)?,
+            FilmMedium::Material(name) => map.serialize_entry("material", name)?,
+            FilmMedium::Table(path) => map.serialize_entry("csv", path)?,
+        }
+        map.end()
     }
 }
 

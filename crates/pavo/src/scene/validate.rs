@@ -2,12 +2,12 @@
 
 use super::error::SceneError;
 use super::fault::{Checked, Fault};
-use super::model::{Base, ColourQuantity, Emit, Quantity, Scene, Surface, VisibilityK};
+use super::model::{Base, ColourQuantity, Emit, FilmMedium, Quantity, Scene, Surface, VisibilityK};
 use super::shown::{shown, shown_number};
 use super::suggest::did_you_mean;
 use super::vocabulary::{
-    ILLUMINANTS, INDEX_LIMITS, KAPPA_LIMITS, Limits, MAXIMUM_IDENTIFIER_LENGTH, METALNESS_LIMITS, METALS, OBSERVERS,
-    ROUGHNESS_LIMITS, SPACES, TARGETS, THICKNESS_LIMITS, VISIBILITY_LIMITS,
+    FILM_MATERIALS, ILLUMINANTS, INDEX_LIMITS, KAPPA_LIMITS, Limits, MAXIMUM_IDENTIFIER_LENGTH, METALNESS_LIMITS,
+    METALS, OBSERVERS, ROUGHNESS_LIMITS, SPACES, TARGETS, THICKNESS_LIMITS, VISIBILITY_LIMITS,
 };
 
 impl Scene {
@@ -29,7 +29,11 @@ pub(super) fn check(scene: &Scene) -> Checked<()> {
     check_choice("colour.space", "colour space", &scene.colour.space, SPACES)?;
     check_quantity("ambient.ior", scene.ambient.ior, &INDEX_LIMITS)?;
     if let Some(film) = &scene.film {
-        check_quantity("film.ior", film.ior, &INDEX_LIMITS)?;
+        match &film.medium {
+            FilmMedium::Index(ior) => check_quantity("film.ior", *ior, &INDEX_LIMITS)?,
+            FilmMedium::Material(name) => check_choice("film.material", "film material", name, FILM_MATERIALS)?,
+            FilmMedium::Table(_) => {}
+        }
         check_quantity("film.thickness_nm", film.thickness_nm, &THICKNESS_LIMITS)?;
     }
     check_base(&scene.base)?;

@@ -12,6 +12,9 @@ pub const SPACES: &[&str] = &["linear-srgb", "display-p3", "rec2020", "acescg", 
 /// The absorbing materials with built-in optical constants, by chemical symbol.
 pub const METALS: &[&str] = &pavo_spectra::OpticalConstants::ABSORBING_NAMES;
 
+/// The transparent materials with built-in optical constants.
+pub const FILM_MATERIALS: &[&str] = &pavo_spectra::OpticalConstants::DIELECTRIC_NAMES;
+
 /// The languages that can be emitted.
 pub const TARGETS: &[&str] = &["wgsl", "glsl450", "glsl330", "essl300", "spirv", "spirv-asm"];
 
@@ -46,7 +49,7 @@ pub(super) const TOP_KEYS: &[&str] = &["name"];
 pub(super) const TABLES: &[(&str, &[&str])] = &[
     ("colour", &["observer", "illuminant", "space"]),
     ("ambient", &["ior"]),
-    ("film", &["ior", "thickness_nm"]),
+    ("film", &["ior", "material", "csv", "thickness_nm"]),
     ("base", &["ior", "kappa", "metal", "csv", "workflow"]),
     ("surface", &["roughness", "diffuse", "base_color", "metalness", "visibility_k"]),
     ("lights", &["punctual"]),

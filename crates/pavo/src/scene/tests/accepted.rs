@@ -2,7 +2,9 @@
 
 use std::path::{Path, PathBuf};
 
-use crate::scene::{Ambient, Base, Colour, ColourQuantity, Emit, Film, Lights, Quantity, Scene, Surface, VisibilityK};
+use crate::scene::{
+    Ambient, Base, Colour, ColourQuantity, Emit, Film, FilmMedium, Lights, Quantity, Scene, Surface, VisibilityK,
+};
 
 fn read(text: &str) -> Scene {
     Scene::from_toml("test.toml", text, Path::new("folder")).unwrap_or_else(|error| panic!("{error:?}"))
@@ -44,7 +46,7 @@ fn a_scene_in_full_is_read_key_by_key() {
         name: "Full_1".to_owned(),
         colour: Colour { observer: "cie1964-10deg".into(), illuminant: "A".into(), space: "acescg".into() },
         ambient: Ambient { ior: range(1.0, 1.5) },
-        film: Some(Film { ior: range(1.3, 2.5), thickness_nm: Quantity::Fixed(400.0) }),
+        film: Some(Film { medium: FilmMedium::Index(range(1.3, 2.5)), thickness_nm: Quantity::Fixed(400.0) }),
         base: Base::Conductor { ior: Quantity::Fixed(2.7), kappa: range(0.0, 3.8) },
         surface: Surface {
             roughness: Quantity::Fixed(0.3),
@@ -177,7 +179,7 @@ fn a_scene_built_in_rust_is_held_to_the_same_rules() {
     assert!(Scene::new("glass", glass.clone()).validate().is_ok());
     assert!(Scene::new("engine", Base::Metalness).validate().is_ok());
 
-    let reversed = Film { ior: Quantity::Fixed(1.3), thickness_nm: range(500.0, 100.0) };
+    let reversed = Film { medium: FilmMedium::Index(Quantity::Fixed(1.3)), thickness_nm: range(500.0, 100.0) };
     let cases: Vec<(Scene, &str)> = vec![
         (Scene::new("9lives", glass.clone()), "name"),
         (Scene { film: Some(reversed), ..Scene::new("x", glass.clone()) }, "film.thickness_nm"),
@@ -202,5 +204,18 @@ fn a_scene_built_in_rust_is_held_to_the_same_rules() {
         assert_eq!(error.key(), Some(key), "{error:?}");
         assert_eq!(error.span(), None);
         assert!(!error.help_text().is_empty());
+    }
+}
+
+#[test]
+fn a_film_is_an_index_a_material_or_a_table() {
+    let cases = [
+        ("ior = 1.4", FilmMedium::Index(Quantity::Fixed(1.4))),
+        ("material = 'SiO2'", FilmMedium::Material("SiO2".to_owned())),
+        ("csv = 'film.csv'", FilmMedium::Table(Path::new("folder").join("film.csv"))),
+    ];
+    for (written, expected) in cases {
+        let scene = read(&format!("name = 'x'\nbase.ior = 1.5\n[film]\nthickness_nm = 100\n{written}"));
+        assert_eq!(scene.film.map(|film| film.medium), Some(expected), "{written}");
     }
 }

@@ -30,6 +30,7 @@ fn every_starter_scene_is_accepted_and_named_after_its_file() {
         "lacquered-gold",
         "oil-on-water",
         "oxide-on-silicon",
+        "rutile-on-titanium",
         "soap-bubble",
     ];
     assert_eq!(names, expected);

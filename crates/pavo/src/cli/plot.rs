@@ -1,0 +1,108 @@
+//! `pavo plot`: pictures of the sensitivities and of what a variant makes of a scene.
+
+mod reflectance;
+mod sensitivities;
+
+use super::arguments::PlotCommand;
+use super::failure::Failure;
+use super::output;
+use plotters::coord::Shift;
+use plotters::prelude::{BitMapBackend, DrawingArea, DrawingBackend, IntoDrawingArea, SVGBackend, WHITE};
+use plotters::style::{FontStyle, register_font};
+use std::fmt::Display;
+use std::path::Path;
+
+/// The font family of every text; in a PNG it is DejaVu Sans, in an SVG what the viewer has.
+const FONT: &str = "sans-serif";
+
+/// Draws what was asked for.
+pub fn run(command: &PlotCommand) -> Result<(), Failure> {
+    match command {
+        PlotCommand::Sensitivities(arguments) => sensitivities::run(arguments),
+        PlotCommand::Reflectance(arguments) => reflectance::run(arguments),
+    }
+}
+
+/// What can be drawn on any backend.
+trait Picture {
+    /// Width and height in pixels.
+    const SIZE: (u32, u32);
+
+    /// Draws onto a white area of [`Picture::SIZE`].
+    fn draw<B: DrawingBackend>(&self, area: &DrawingArea<B, Shift>) -> Result<(), String>;
+}
+
+/// The format of a picture.
+#[derive(Clone, Copy, Debug)]
+enum Format {
+    Svg,
+    Png,
+}
+
+impl Format {
+    /// The format that the extension of a file names.
+    fn of(path: &Path) -> Result<Self, Failure> {
+        let extension = path.extension().map(|extension| extension.to_string_lossy().to_lowercase());
+        match extension.as_deref() {
+            Some("svg") => Ok(Format::Svg),
+            Some("png") => Ok(Format::Png),
+            _ => Err(Failure::input(
+                format!("{}: the extension names no format of plots", path.display()),
+                "name a file that ends in .svg or .png",
+            )),
+        }
+    }
+
+    /// Draws a picture, writes it to a file, and prints the file's name.
+    fn write(self, picture: &impl Picture, path: &Path) -> Result<(), Failure> {
+        let bytes = self.encode(picture);
+        let bytes = bytes.map_err(|error| Failure::check(format!("the plot cannot be drawn: {error}")))?;
+        output::write(path, &bytes)?;
+        output::print(&format!("{}\n", path.display()))
+    }
+
+    fn encode<P: Picture>(self, picture: &P) -> Result<Vec<u8>, String> {
+        register_font(FONT, FontStyle::Normal, dejavu::sans::regular()).map_err(|_| "its font cannot be read")?;
+        match self {
+            Format::Svg => {
+                let mut text = String::new();
+                on_white(picture, SVGBackend::with_string(&mut text, P::SIZE))?;
+                Ok(text.into_bytes())
+            }
+            Format::Png => {
+                let (width, height) = P::SIZE;
+                let mut pixels = vec![0; width as usize * height as usize * 3];
+                on_white(picture, BitMapBackend::with_buffer(&mut pixels, P::SIZE))?;
+                encode_png(&pixels, P::SIZE).map_err(shown)
+            }
+        }
+    }
+}
+
+fn on_white<B: DrawingBackend>(picture: &impl Picture, backend: B) -> Result<(), String> {
+    let area = backend.into_drawing_area();
+    area.fill(&WHITE).map_err(shown)?;
+    picture.draw(&area.margin(12, 0, 0, 0))?;
+    area.present().map_err(shown)
+}
+
+fn encode_png(pixels: &[u8], (width, height): (u32, u32)) -> Result<Vec<u8>, png::EncodingError> {
+    let mut bytes = Vec::new();
+    let mut encoder = png::Encoder::new(&mut bytes, width, height);
+    encoder.set_color(png::ColorType::Rgb);
+    encoder.set_depth(png::BitDepth::Eight);
+    encoder.set_source_srgb(png::SrgbRenderingIntent::Perceptual);
+    let mut writer = encoder.write_header()?;
+    writer.write_image_data(pixels)?;
+    writer.finish()?;
+    Ok(bytes)
+}
+
+/// A tick of an axis, without idle decimals.
+fn tick(value: &f64) -> String {
+    ((value * 1e3).round() / 1e3).to_string()
+}
+
+fn shown(error: impl Display) -> String {
+    error.to_string()
+}
