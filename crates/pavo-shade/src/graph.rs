@@ -89,7 +89,7 @@ pub enum Op {
     Splat(u32),
     /// A component of a vector, 0 to 2.
     Component(u32, u8),
-    /// A call: the function, and an index into [`Function::calls`] with the arguments.
+    /// A call: the function, and an index into `Definition::calls` with the arguments.
     Call(u32, u32),
     /// A result of a call.
     Result(u32, u32),

@@ -96,8 +96,8 @@ fn plans(request: &SceneFitRequest<'_>) -> Vec<Plan> {
     };
     let mut plans: Vec<Plan> =
         forms.iter().map(|&(form, nodes)| Plan::new(form, nodes.min(request.nodes), coloured)).collect();
-    plans.dedup();
     plans.sort_by_key(Plan::cost);
+    plans.dedup();
     plans
 }
 

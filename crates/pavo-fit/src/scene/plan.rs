@@ -65,7 +65,7 @@ impl Plan {
         };
         let nodes = if form == Form::AngleOnly { 0 } else { nodes };
         let mean_per_channel = match form {
-            Form::AngleOnly | Form::ThreeOrders => true,
+            Form::AngleOnly => true,
             _ => coloured,
         };
         Self { form, nodes, mean_degree, mean_per_channel, degrees }

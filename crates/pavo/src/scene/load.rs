@@ -135,11 +135,9 @@ fn check_table_is_a_file(scene: &Scene) -> Checked<()> {
         Base::Table { path } => Some(("base.csv", path)),
         _ => None,
     };
-    for (key, path) in film.into_iter().chain(base).filter(|(_, path)| !path.is_file()) {
-        let message = format!("`{key}` names `{}`, which is not a file", shown(&path.display().to_string()));
-        let help = "the path is taken from the folder of the scene file; \
-                    the file lists wavelength, n and k";
-        return Err(Fault::at(key, "no such file", message, help));
-    }
-    Ok(())
+    let Some((key, path)) = film.into_iter().chain(base).find(|(_, path)| !path.is_file()) else { return Ok(()) };
+    let message = format!("`{key}` names `{}`, which is not a file", shown(&path.display().to_string()));
+    let help = "the path is taken from the folder of the scene file; \
+                the file lists wavelength, n and k";
+    Err(Fault::at(key, "no such file", message, help))
 }
