@@ -1,5 +1,6 @@
 //! `pavo check` tells good shaders from bad ones.
 
+use pavo::Variant;
 use pavo_tests::{SCENES, run, scene_file};
 
 const PROGRAM: &str = env!("CARGO_BIN_EXE_pavo-under-test");
@@ -49,6 +50,25 @@ fn every_form_of_every_starter_scene_is_judged_when_it_is_emitted() {
                 assert_eq!(ran.status, 0, "{file}: {}", ran.errors);
                 assert!(folder.path().join(&file).exists(), "{file} is written");
             }
+        }
+    }
+}
+
+#[test]
+fn every_variant_passes_every_judge() {
+    let targets = "wgsl,glsl450,glsl330,essl300,spirv";
+    let folder = tempfile::tempdir().expect("a temporary folder can be made");
+    for variant in Variant::candidates() {
+        // A polynomial over the angle is for uniform films only; the others are shown on a dielectric and a conductor.
+        let scenes = match variant {
+            Variant::Baked { .. } => &["coated-lens"][..],
+            _ => &["soap-bubble", "anodised-titanium"],
+        };
+        for name in scenes {
+            let (scene, variant) = (scene_file(name).display().to_string(), variant.to_string());
+            let arguments = ["build", &scene, "-o", "out", "--no-run", "--target", targets, "--variant", &variant];
+            let ran = run(PROGRAM, folder.path(), &arguments);
+            assert_eq!(ran.status, 0, "{name} by {variant}: {}", ran.errors);
         }
     }
 }
