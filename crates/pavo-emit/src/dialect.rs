@@ -29,6 +29,8 @@ pub struct Dialect {
     pub types: [&'static str; 4],
     /// The name of `1 / sqrt(x)`.
     pub inverse_sqrt: &'static str,
+    /// The type of an index into a table.
+    pub index_type: &'static str,
     /// Whether there are compute shaders.
     pub has_compute: bool,
 }
@@ -49,6 +51,7 @@ static DIALECTS: [(Language, Dialect); 4] = [
             preamble: "",
             types: ["f32", "vec3f", "bool", "vec3<bool>"],
             inverse_sqrt: "inverseSqrt",
+            index_type: "u32",
             has_compute: true,
         },
     ),
@@ -62,6 +65,7 @@ static DIALECTS: [(Language, Dialect); 4] = [
             preamble: "",
             types: ["float", "vec3", "bool", "bvec3"],
             inverse_sqrt: "inversesqrt",
+            index_type: "int",
             has_compute: true,
         },
     ),
@@ -75,6 +79,7 @@ static DIALECTS: [(Language, Dialect); 4] = [
             preamble: "",
             types: ["float", "vec3", "bool", "bvec3"],
             inverse_sqrt: "inversesqrt",
+            index_type: "int",
             has_compute: false,
         },
     ),
@@ -88,6 +93,7 @@ static DIALECTS: [(Language, Dialect); 4] = [
             preamble: ESSL_PREAMBLE,
             types: ["float", "vec3", "bool", "bvec3"],
             inverse_sqrt: "inversesqrt",
+            index_type: "int",
             has_compute: false,
         },
     ),
@@ -133,6 +139,15 @@ impl Dialect {
             (Syntax::Wgsl, false) => format!("let {name} = {value};"),
             (Syntax::Wgsl, true) => format!("var {name} = {value};"),
             (Syntax::C, _) => format!("{ty} {name} = {value};"),
+        }
+    }
+
+    /// A table as a constant: the lines before and after its rows.
+    pub fn table(&self, name: &str, rows: usize) -> [String; 2] {
+        let ty = self.type_name(Type::Vec3);
+        match self.syntax {
+            Syntax::Wgsl => [format!("const {name} = array<{ty}, {rows}>("), ");".to_owned()],
+            Syntax::C => [format!("const {ty} {name}[{rows}] = {ty}[{rows}]("), ");".to_owned()],
         }
     }
 

@@ -69,6 +69,7 @@ fn render(
     let printer = Context {
         dialect,
         functions: &names.functions,
+        tables: &names.tables,
         structs: &names.structs,
         fields: &fields,
         passed: &passed,

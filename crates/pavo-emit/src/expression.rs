@@ -42,6 +42,8 @@ pub struct Expressions<'a> {
     pub locals: &'a [Local],
     /// The names of the called functions.
     pub functions: &'a [String],
+    /// The names of the program's tables.
+    pub tables: &'a [String],
     /// The fields of the structs that called functions return, empty where they return one value.
     pub fields: &'a [Vec<String>],
     /// The structs that each function takes in place of their fields.
@@ -63,7 +65,7 @@ impl Expressions<'_> {
         };
         match node.op {
             Op::Literal(bits) => literal(f64::from_bits(bits)),
-            Op::Literal3(bits) => (self.vector(bits.map(f64::from_bits)), Binding::Primary),
+            Op::Literal3(bits) => (vector(self.dialect, bits.map(f64::from_bits)), Binding::Primary),
             Op::Parameter(_) => (self.name(index), Binding::Primary),
             Op::Unary(op @ (UnaryOp::Negate | UnaryOp::Not), operand) => self.negation(op, operand, node.ty),
             Op::Unary(op, operand) => call(self.dialect.function_name(op), &[operand]),
@@ -87,6 +89,10 @@ impl Expressions<'_> {
             Op::Mix(a, b, t) => call("mix", &[a, b, t]),
             Op::Vec3(x, y, z) => call(self.dialect.type_name(Type::Vec3), &[x, y, z]),
             Op::Splat(value) => call(self.dialect.type_name(Type::Vec3), &[value]),
+            Op::Fetch(table, row) => {
+                let row = self.whole(row);
+                (format!("{}[{}({row})]", self.tables[table as usize], self.dialect.index_type), Binding::Primary)
+            }
             Op::Component(vector, component) => {
                 let component = ["x", "y", "z"][usize::from(component)];
                 (format!("{}.{component}", self.at_least(vector, Binding::Primary)), Binding::Primary)
@@ -203,13 +209,13 @@ impl Expressions<'_> {
             }
         }
     }
+}
 
-    /// A constant vector.
-    pub fn vector(&self, components: [f64; 3]) -> String {
-        let name = self.dialect.type_name(Type::Vec3);
-        let [x, y, z] = components.map(number);
-        if x == y && y == z { format!("{name}({x})") } else { format!("{name}({x}, {y}, {z})") }
-    }
+/// A constant vector.
+pub fn vector(dialect: &Dialect, components: [f64; 3]) -> String {
+    let name = dialect.type_name(Type::Vec3);
+    let [x, y, z] = components.map(number);
+    if x == y && y == z { format!("{name}({x})") } else { format!("{name}({x}, {y}, {z})") }
 }
 
 /// A constant number.

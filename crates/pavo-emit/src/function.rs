@@ -1,7 +1,7 @@
 //! A function as text: which nodes become variables, their names, the statements.
 
 use crate::dialect::{Dialect, Syntax};
-use crate::expression::{Expressions, literal};
+use crate::expression::{Expressions, literal, vector};
 use crate::namer::Namer;
 use crate::passing::PassedStruct;
 use crate::text::{Struct, WIDTH};
@@ -26,6 +26,8 @@ pub struct Context<'a> {
     pub dialect: &'a Dialect,
     /// The names of all functions of the program.
     pub functions: &'a [String],
+    /// The names of the program's tables.
+    pub tables: &'a [String],
     /// The structs they return, where they return several values.
     pub structs: &'a [Option<Struct>],
     /// The fields of these structs, empty where a function returns one value.
@@ -68,6 +70,7 @@ pub fn body(context: &Context<'_>, definition: &Definition, number: usize) -> Bo
         definition,
         locals: &locals,
         functions: context.functions,
+        tables: context.tables,
         fields: context.fields,
         passed: context.passed,
     };
@@ -111,7 +114,7 @@ pub fn body(context: &Context<'_>, definition: &Definition, number: usize) -> Bo
 fn result_text(expressions: &Expressions<'_>, result: &Output) -> String {
     match result.value {
         ReturnValue::Literal(value) => literal(value).0,
-        ReturnValue::Literal3(value) => expressions.vector(value),
+        ReturnValue::Literal3(value) => vector(expressions.dialect, value),
         ReturnValue::Node(index) => expressions.whole(index),
     }
 }
@@ -274,6 +277,7 @@ fn wanted_name(context: &Context<'_>, definition: &Definition, locals: &[Local],
         Op::Clamp(x, ..) => of("clamped", x),
         Op::Mix(..) => "mixed".to_owned(),
         Op::Vec3(..) => "vector".to_owned(),
+        Op::Fetch(..) => "row".to_owned(),
         Op::Splat(a) => operand(a).map_or_else(|| "vector".to_owned(), |name| format!("{name}_rgb")),
         Op::Call(callee, _) => format!("{}_result", context.functions[callee as usize]),
         Op::Result(call, _) => match definition.nodes[call as usize].op {

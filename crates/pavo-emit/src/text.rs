@@ -2,11 +2,12 @@
 
 use crate::Options;
 use crate::dialect::{Dialect, Syntax};
+use crate::expression::vector;
 use crate::function::{self, Body, Context};
 use crate::lines::broken_line;
 use crate::namer::Namer;
 use crate::passing::structs_passed;
-use pavo_shade::{Definition, Program, Type};
+use pavo_shade::{Definition, Program, Table, Type};
 
 /// The width that lines are filled to.
 pub const WIDTH: usize = 100;
@@ -14,6 +15,7 @@ pub const WIDTH: usize = 100;
 /// The names that a program has outside of its functions.
 pub struct Names {
     pub functions: Vec<String>,
+    pub tables: Vec<String>,
     /// For each function, the struct that it returns and its fields; nothing where it returns one value.
     pub structs: Vec<Option<Struct>>,
     pub outer: Namer,
@@ -31,6 +33,7 @@ impl Names {
         let mut outer = Namer::default();
         let functions: Vec<String> =
             program.functions().iter().map(|function| outer.fresh(&format!("{prefix}{}", function.name))).collect();
+        let tables = program.tables().iter().map(|table| outer.fresh(&format!("{prefix}{}", table.name))).collect();
         let mut known: Vec<Struct> = Vec::new();
         let mut structs = Vec::new();
         for (function, name) in program.functions().iter().zip(&functions) {
@@ -56,7 +59,7 @@ impl Names {
             });
             structs.push(Some(printed));
         }
-        Self { functions, structs, outer }
+        Self { functions, tables, structs, outer }
     }
 
     /// The fields of the struct that each function returns.
@@ -87,6 +90,7 @@ pub fn functions(program: &Program, options: &Options, names: &Names) -> String 
     let context = Context {
         dialect,
         functions: &names.functions,
+        tables: &names.tables,
         structs: &names.structs,
         fields: &fields,
         passed: &passed,
@@ -94,6 +98,10 @@ pub fn functions(program: &Program, options: &Options, names: &Names) -> String 
         source_lines: options.source_lines,
     };
     let mut text = String::new();
+    for (table, name) in program.tables().iter().zip(&names.tables) {
+        text.push('\n');
+        text.push_str(&rows(dialect, table, name));
+    }
     let mut printed: Vec<&Struct> = Vec::new();
     for (index, definition) in program.functions().iter().enumerate() {
         if let Some(made) = &names.structs[index]
@@ -106,6 +114,31 @@ pub fn functions(program: &Program, options: &Options, names: &Names) -> String 
         text.push('\n');
         text.push_str(&function(&context, definition, index));
     }
+    text
+}
+
+/// A table, as many rows on a line as fit.
+fn rows(dialect: &Dialect, table: &Table, name: &str) -> String {
+    let [before, after] = dialect.table(name, table.rows.len());
+    let mut text = comment(&Paragraph::of_doc(std::slice::from_ref(&table.doc)));
+    text.push_str(&before);
+    let mut column = WIDTH;
+    for (index, row) in table.rows.iter().enumerate() {
+        let comma = if index + 1 < table.rows.len() { "," } else { "" };
+        let entry = vector(dialect, *row) + comma;
+        if column + 1 + entry.len() > WIDTH {
+            text.push_str("\n    ");
+            column = 4;
+        } else {
+            text.push(' ');
+            column += 1;
+        }
+        column += entry.len();
+        text.push_str(&entry);
+    }
+    text.push('\n');
+    text.push_str(&after);
+    text.push('\n');
     text
 }
 

@@ -4,6 +4,7 @@ use crate::fold;
 use crate::function::FunctionInfo;
 use crate::graph::{BinaryOp, Comparison, Graph, NodeId, Op, Type, UnaryOp};
 use crate::real::{Lanes, Mask, Real, Scalar, Vector};
+use crate::table::Table;
 use crate::value::{Arguments, LeafInfo, Value, join};
 use core::fmt;
 use core::ops::{Add, Div, Mul, Neg, Sub};
@@ -414,6 +415,14 @@ impl<'g> Lanes<Expr<'g>> for Expr<'g> {
 
 impl<'g> Scalar for Expr<'g> {
     type Vec3 = Expr<'g>;
+    #[track_caller]
+    fn fetch(table: &Table, index: Self) -> Self {
+        match index {
+            Expr::Literal(index) => fold::literal3(table.row(index)),
+            Expr::Literal3([index, ..]) => fold::literal3(table.row(index)),
+            Expr::Node(graph, _) => graph.node(Op::Fetch(graph.table(table), graph.operand(index)), Type::Vec3),
+        }
+    }
 }
 
 impl<'g> Vector<Expr<'g>> for Expr<'g> {

@@ -3,6 +3,7 @@
 use crate::expr::Expr;
 use crate::function::{FunctionInfo, Input};
 use crate::program::Program;
+use crate::table::Table;
 use crate::value::LeafInfo;
 use std::cell::RefCell;
 use std::collections::HashMap;
@@ -87,6 +88,8 @@ pub enum Op {
     Vec3(u32, u32, u32),
     /// A vector with the same number three times.
     Splat(u32),
+    /// A row of a table: its number among the program's tables, and the row's index.
+    Fetch(u32, u32),
     /// A component of a vector, 0 to 2.
     Component(u32, u8),
     /// A call: the function, and an index into `Definition::calls` with the arguments.
@@ -179,6 +182,7 @@ pub(crate) struct State {
     pub functions: Vec<Function>,
     pub inputs: Vec<Input>,
     pub outputs: Vec<(String, Leaf, Type)>,
+    pub tables: Vec<Table>,
     instances: HashMap<InstanceKey, u32>,
     open: Vec<u32>,
 }
@@ -201,6 +205,7 @@ impl Graph {
             functions: vec![Function::new(None)],
             inputs: Vec::new(),
             outputs: Vec::new(),
+            tables: Vec::new(),
             instances: HashMap::new(),
             open: vec![0],
         };
@@ -217,6 +222,16 @@ impl Graph {
             state.inputs.len() as u32 - 1
         };
         self.node(Op::Parameter(index), ty)
+    }
+
+    /// The number of a table, which is kept if it is not known yet.
+    pub(crate) fn table(&self, table: &Table) -> u32 {
+        let tables = &mut self.state.borrow_mut().tables;
+        let known = tables.iter().position(|other| other == table);
+        known.unwrap_or_else(|| {
+            tables.push(table.clone());
+            tables.len() - 1
+        }) as u32
     }
 
     /// Declares an output.

@@ -84,6 +84,7 @@ fn run(program: &Program, function: &Definition, arguments: &[Computed]) -> Vec<
             Op::Mix(a, b, t) => map(node.ty, [at(a), at(b), at(t)], |[a, b, t]| a * (1.0 - t) + b * t),
             Op::Vec3(x, y, z) => Computed::Vec3([vec3(at(x))[0], vec3(at(y))[0], vec3(at(z))[0]]),
             Op::Splat(a) => Computed::Vec3(vec3(at(a))),
+            Op::Fetch(table, index) => Computed::Vec3(program.tables()[table as usize].row(vec3(at(index))[0])),
             Op::Component(a, index) => Computed::Scalar(vec3(at(a))[usize::from(index)]),
             Op::Call(callee, call) => {
                 let arguments: Vec<Computed> =

@@ -65,6 +65,7 @@ mod native;
 mod operations;
 mod program;
 mod real;
+mod table;
 mod value;
 
 pub use expr::{Expr, ExprMask};
@@ -74,4 +75,5 @@ pub use operations::Operations;
 pub use pavo_shade_macros::shade;
 pub use program::{Definition, Output, Parameter, Program, ReturnValue, operands};
 pub use real::{Lanes, Mask, Real, Scalar, Vector};
+pub use table::Table;
 pub use value::{Arguments, LeafInfo, Value, join};

@@ -1,6 +1,7 @@
 //! Plain numbers as instances of [`Real`]: `f32`, `f64`, and glam's vectors of them.
 
 use crate::real::{Lanes, Mask, Real, Scalar, Vector};
+use crate::table::Table;
 use crate::value::{LeafInfo, Value, join};
 use glam::{BVec3, DVec3, Vec3};
 
@@ -97,6 +98,10 @@ macro_rules! native_scalar {
 
         impl Scalar for $scalar {
             type Vec3 = $vector;
+            #[inline(always)]
+            fn fetch(table: &Table, index: Self) -> $vector {
+                Vector::<$scalar>::lit3(table.row(f64::from(index)))
+            }
         }
 
         impl Lanes<$scalar> for $scalar {

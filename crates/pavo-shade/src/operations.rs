@@ -14,6 +14,8 @@ pub struct Operations {
     pub roots: usize,
     /// Sines, cosines and exponentials.
     pub transcendental: usize,
+    /// Rows read from tables.
+    pub fetches: usize,
 }
 
 impl Add for Operations {
@@ -23,6 +25,7 @@ impl Add for Operations {
             arithmetic: self.arithmetic + other.arithmetic,
             roots: self.roots + other.roots,
             transcendental: self.transcendental + other.transcendental,
+            fetches: self.fetches + other.fetches,
         }
     }
 }
@@ -59,8 +62,9 @@ fn count(function: &Definition, callees: &[Operations]) -> Operations {
             Op::Unary(UnaryOp::Sin | UnaryOp::Cos | UnaryOp::Exp, _) => {
                 Operations { transcendental: width, ..Operations::default() }
             }
-            Op::Unary(UnaryOp::Normalize, _) => Operations { arithmetic: 8, roots: 1, transcendental: 0 },
+            Op::Unary(UnaryOp::Normalize, _) => Operations { arithmetic: 8, roots: 1, ..Operations::default() },
             Op::Binary(BinaryOp::Dot, ..) => Operations { arithmetic: 5, ..Operations::default() },
+            Op::Fetch(..) => Operations { fetches: 1, ..Operations::default() },
             Op::Clamp(..) => Operations { arithmetic: 2 * width, ..Operations::default() },
             Op::Mix(..) => Operations { arithmetic: 4 * width, ..Operations::default() },
             Op::Unary(..) | Op::Binary(..) | Op::Compare(..) | Op::Select(..) => arithmetic,

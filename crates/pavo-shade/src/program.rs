@@ -2,6 +2,7 @@
 
 use crate::function::Input;
 use crate::graph::{Function, Leaf, Node, Op, State, Type};
+use crate::table::Table;
 use std::collections::{BTreeSet, HashMap};
 
 /// What a function or the program gives back at one leaf.
@@ -67,6 +68,7 @@ pub struct Program {
     functions: Vec<Definition>,
     body: Definition,
     inputs: Vec<Input>,
+    tables: Vec<Table>,
 }
 
 impl Program {
@@ -83,6 +85,11 @@ impl Program {
     /// The run-time inputs that the outputs depend on, in the order in which they were declared.
     pub fn inputs(&self) -> &[Input] {
         &self.inputs
+    }
+
+    /// The tables that are read, as [`Op::Fetch`] numbers them.
+    pub fn tables(&self) -> &[Table] {
+        &self.tables
     }
 
     /// The outputs.
@@ -104,7 +111,29 @@ impl Program {
         let mut body = builder.compact(0);
         leave_out_forwarders(&mut builder.made, &mut body);
         let inputs = liveness.parameters[&0].iter().map(|&index| state.inputs[index as usize].clone()).collect();
-        Self { functions: builder.made, body, inputs }
+        let mut program = Self { functions: builder.made, body, inputs, tables: state.tables.clone() };
+        program.leave_out_tables();
+        program
+    }
+}
+
+impl Program {
+    /// Keeps the tables that are read, and numbers them anew.
+    fn leave_out_tables(&mut self) {
+        let mut read = BTreeSet::new();
+        for node in self.functions.iter().chain([&self.body]).flat_map(|definition| &definition.nodes) {
+            if let Op::Fetch(table, _) = node.op {
+                read.insert(table);
+            }
+        }
+        let numbers = numbering(&read);
+        self.tables = read.iter().map(|&table| self.tables[table as usize].clone()).collect();
+        let bodies = self.functions.iter_mut().chain([&mut self.body]);
+        for node in bodies.flat_map(|definition| &mut definition.nodes) {
+            if let Op::Fetch(table, _) = &mut node.op {
+                *table = numbers[table];
+            }
+        }
     }
 }
 
@@ -198,7 +227,7 @@ fn reach(state: &State, parameters: &HashMap<u32, BTreeSet<u32>>, function: u32,
 pub fn operands(op: Op) -> impl Iterator<Item = u32> {
     let (operands, count) = match op {
         Op::Literal(_) | Op::Literal3(_) | Op::Parameter(_) | Op::Call(..) => ([0; 3], 0),
-        Op::Unary(_, a) | Op::Splat(a) | Op::Component(a, _) | Op::Result(a, _) => ([a, 0, 0], 1),
+        Op::Unary(_, a) | Op::Splat(a) | Op::Component(a, _) | Op::Result(a, _) | Op::Fetch(_, a) => ([a, 0, 0], 1),
         Op::Binary(_, a, b) | Op::Compare(_, a, b) => ([a, b, 0], 2),
         Op::Select(a, b, c) | Op::Clamp(a, b, c) | Op::Mix(a, b, c) | Op::Vec3(a, b, c) => ([a, b, c], 3),
     };
@@ -418,6 +447,7 @@ fn with_operands(op: Op, number: impl Fn(u32) -> u32) -> Op {
         Op::Mix(a, b, c) => Op::Mix(number(a), number(b), number(c)),
         Op::Vec3(a, b, c) => Op::Vec3(number(a), number(b), number(c)),
         Op::Splat(a) => Op::Splat(number(a)),
+        Op::Fetch(table, a) => Op::Fetch(table, number(a)),
         Op::Component(a, index) => Op::Component(number(a), index),
         other => other,
     }

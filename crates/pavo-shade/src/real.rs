@@ -1,6 +1,7 @@
 //! The number types that a shading function is generic over.
 
 use crate::function::FunctionInfo;
+use crate::table::Table;
 use crate::value::{Arguments, Value};
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
@@ -111,6 +112,10 @@ pub trait Lanes<S: Scalar>: Real {
 pub trait Scalar: Real + Lanes<Self> {
     /// Three numbers: a linear colour, or a direction.
     type Vec3: Vector<Self> + Lanes<Self> + Value<Leaf = <Self as Value>::Leaf>;
+
+    /// The row of a table at an index, which is a whole number from 0 to the last row's. On the CPU and in the graph an
+    /// index outside of that is held at the ends; a GPU promises nothing there, so keep it within by `clamp`.
+    fn fetch(table: &Table, index: Self) -> Self::Vec3;
 }
 
 /// Three numbers of type `S`; arithmetic is by component.

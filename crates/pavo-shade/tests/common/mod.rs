@@ -113,6 +113,7 @@ pub fn formula(program: &Program, definition: &Definition, index: u32) -> String
         Op::Mix(a, b, t) => call("mix", &[a, b, t]),
         Op::Vec3(x, y, z) => call("vec3", &[x, y, z]),
         Op::Splat(a) => call("vec3", &[a]),
+        Op::Fetch(table, index) => format!("{}[{}]", program.tables()[table as usize].name, of(index)),
         Op::Component(a, component) => format!("{}.{}", of(a), ["x", "y", "z"][usize::from(component)]),
         Op::Call(callee, arguments) => {
             call(&program.functions()[callee as usize].name, &definition.calls[arguments as usize])
