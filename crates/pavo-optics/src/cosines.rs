@@ -5,7 +5,7 @@
 
 use crate::film::{BaseWave, FilmTerms, Media};
 use crate::poles::both_series_terms;
-use crate::series::order_amplitudes;
+use crate::series::{multiples, order_amplitudes, order_sum, powers_of_square};
 use crate::windowed::{Window, phases};
 use pavo_shade::{Lanes, Scalar, Value, Vector};
 
@@ -22,16 +22,16 @@ pub fn cosines_reflectance<S: Scalar, R: Lanes<S> + Value<Leaf = S::Leaf>>(
     let [s, p] = both_series_terms(terms, media, q2, base);
     let average = R::lit(1.0) - (s.transmittance + p.transmittance) * R::lit(0.5);
     let mut color = average.into_vec3();
-    for (index, amplitude) in order_amplitudes(order, s, p).into_iter().enumerate() {
-        let m = (index + 1) as f64;
-        let spread = (opd_nm * S::lit(m / window.width_nm)).named("spread");
-        let g = (-(spread * spread)).exp().named("window");
-        let damped = amplitude.map(|part| part * R::from_scalar(g));
-        let [re, im] = [damped[0].named("order"), damped[1].named("order_im")];
-        for ([cosine, sine], weight) in phases(window, S::lit(m) * opd_nm).into_iter().zip(&window.weights) {
-            let node = re * R::from_scalar(cosine) - im * R::from_scalar(sine);
-            color = (color - S::Vec3::lit3(*weight) * node.into_vec3()).named("color");
-        }
+    let spread = (opd_nm * S::lit(1.0 / window.width_nm)).named("spread");
+    let g = (-(spread * spread)).exp().named("window");
+    let damping = powers_of_square(g, order, "window").into_iter().map(R::from_scalar);
+    let amplitudes = order_amplitudes(order, s, p).into_iter().zip(damping);
+    let damped: Vec<[R; 2]> =
+        amplitudes.map(|([re, im], g)| [(re * g).named("order"), (im * g).named("order_im")]).collect();
+    for ([cosine, sine], weight) in phases(window, opd_nm).into_iter().zip(&window.weights) {
+        let waves = multiples(cosine, sine, order).into_iter().map(|wave| wave.map(R::from_scalar));
+        let node = order_sum(&damped, std::iter::repeat(R::lit(1.0)), waves);
+        color = (color - S::Vec3::lit3(*weight) * node.into_vec3()).named("color");
     }
     color
 }

@@ -5,6 +5,7 @@ use crate::cosines::cosines_reflectance;
 use crate::poles::{Pole, poles_reflectance};
 use crate::series::{GaussianFit, series_reflectance};
 use crate::spectral::{SpectralNode, dispersive_reflectance, spectral_reflectance};
+use crate::tabulated::{TransformTable, tabulated_reflectance};
 use crate::wave::{NormalComponent, normal_component_absorbing, normal_component_squared, p_component_absorbing};
 use crate::windowed::{Window, windowed_reflectance};
 use core::f64::consts::PI;
@@ -31,6 +32,13 @@ pub enum Method {
         order: usize,
         /// The sensitivities.
         fit: GaussianFit,
+    },
+    /// The same series with the exact transform of the sensitivities, from tables.
+    TabulatedSeries {
+        /// The highest order, at least 1.
+        order: usize,
+        /// The transform.
+        transform: TransformTable,
     },
     /// All orders of the series in closed form, with sensitivities as sums of complex exponentials.
     Poles {
@@ -224,6 +232,9 @@ pub fn film_reflectance<S: Scalar, R: Lanes<S> + Value<Leaf = S::Leaf>>(
             return spectral_reflectance::<S, R>(film.total_reflection, nodes, terms, wave, opd_nm);
         }
         Method::Series { order, fit } => series_reflectance::<S, R>(*order, fit, terms, media, wave.q2, base, opd_nm),
+        Method::TabulatedSeries { order, transform } => {
+            tabulated_reflectance::<S, R>(*order, transform, terms, media, wave.q2, base, opd_nm)
+        }
         Method::Poles { poles } => poles_reflectance::<S, R>(poles, terms, media, wave.q2, base, opd_nm),
         Method::Windowed { window } => windowed_reflectance::<S, R>(window, terms, media, wave.q2, base, opd_nm),
         Method::Cosines { order, window } => {

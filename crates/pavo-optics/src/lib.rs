@@ -24,6 +24,8 @@ pub mod poles;
 pub mod series;
 pub mod spectral;
 pub mod surface;
+pub mod table;
+pub mod tabulated;
 pub mod wave;
 pub mod windowed;
 
@@ -33,4 +35,6 @@ pub use poles::Pole;
 pub use series::{GaussianFit, GaussianTerm};
 pub use spectral::SpectralNode;
 pub use surface::{Directions, Finish, Geometry, Layers, Light, Specular, Surface, VisibilityK};
+pub use table::FilmTable;
+pub use tabulated::TransformTable;
 pub use windowed::Window;

@@ -72,48 +72,6 @@ pub fn series_terms<R: Real>(
     }
 }
 
-/// Fourier transform of the sensitivities.
-#[shade]
-pub struct Sensitivity<V: Real> {
-    /// Real part, by channel.
-    pub re: V,
-    /// Imaginary part, by channel.
-    pub im: V,
-}
-
-/// Fourier transform of the sensitivities of the three channels over the wave number, at one optical path difference:
-/// a sum of Gaussians.
-///
-/// Source: Belcour and Barla 2017, section 3.3 and its supplemental code.
-#[shade]
-pub fn sensitivity<S: Scalar>(
-    /// The sensitivities.
-    #[constant]
-    fit: &GaussianFit,
-    /// Optical path difference, nm.
-    opd_nm: S,
-) -> Sensitivity<S::Vec3> {
-    let opd_squared = opd_nm * opd_nm;
-    let mut re = S::Vec3::lit(0.0);
-    let mut im = S::Vec3::lit(0.0);
-    for term in &fit.terms {
-        let weight = S::Vec3::lit3(term.weight);
-        let is_shared = |values: [f64; 3]| values[0] == values[1] && values[1] == values[2];
-        if is_shared(term.angular_wave_number) && is_shared(term.decay) {
-            let gaussian = (S::lit(-term.decay[0]) * opd_squared).exp();
-            let phase = S::lit(term.angular_wave_number[0]) * opd_nm;
-            re = re + weight * (gaussian * phase.cos());
-            im = im + weight * (gaussian * phase.sin());
-        } else {
-            let gaussian = (S::Vec3::lit3(term.decay.map(|decay| -decay)) * opd_squared).exp();
-            let phase = S::Vec3::lit3(term.angular_wave_number) * opd_nm;
-            re = re + weight * gaussian * phase.cos();
-            im = im + weight * gaussian * phase.sin();
-        }
-    }
-    Sensitivity { re, im }
-}
-
 /// Reflectance of the film by the series, up to an order.
 pub fn series_reflectance<S: Scalar, R: Lanes<S> + Value<Leaf = S::Leaf>>(
     order: usize,
@@ -127,13 +85,69 @@ pub fn series_reflectance<S: Scalar, R: Lanes<S> + Value<Leaf = S::Leaf>>(
     let [s, p] = both_series_terms(terms, media, q2, base);
     let average = R::lit(1.0) - (s.transmittance + p.transmittance) * R::lit(0.5);
     let mut color = average.into_vec3();
-    for (index, [re, im]) in order_amplitudes(order, s, p).into_iter().enumerate() {
-        let m = S::lit((index + 1) as f64);
-        let transform = sensitivity(fit, m * opd_nm).named("transform");
-        let interference = transform.re * re.into_vec3() - transform.im * im.into_vec3();
-        color = (color - interference).named("color");
+    let amplitudes = order_amplitudes(order, s, p);
+    let opd_squared = (opd_nm * opd_nm).named("opd_squared");
+    for term in &fit.terms {
+        let is_shared = |values: [f64; 3]| values[0] == values[1] && values[1] == values[2];
+        let wave = if is_shared(term.angular_wave_number) && is_shared(term.decay) {
+            let gaussian = (S::lit(-term.decay[0]) * opd_squared).exp().named("gaussian");
+            let phase = (S::lit(term.angular_wave_number[0]) * opd_nm).named("phase");
+            let damping = powers_of_square(gaussian, order, "gaussian").into_iter().map(R::from_scalar);
+            let (cosine, sine) = (phase.cos().named("cosine"), phase.sin().named("sine"));
+            let waves = multiples(cosine, sine, order).into_iter().map(|wave| wave.map(R::from_scalar));
+            order_sum(&amplitudes, damping, waves).into_vec3()
+        } else {
+            let amplitudes: Vec<_> = amplitudes.iter().map(|amplitude| amplitude.map(R::into_vec3)).collect();
+            let gaussian = S::Vec3::lit3(term.decay.map(|decay| -decay)) * S::Vec3::splat(opd_squared);
+            let gaussian = gaussian.exp().named("gaussian");
+            let phase = (S::Vec3::lit3(term.angular_wave_number) * S::Vec3::splat(opd_nm)).named("phase");
+            let (cosine, sine) = (phase.cos().named("cosine"), phase.sin().named("sine"));
+            let damping = powers_of_square(gaussian, order, "gaussian");
+            order_sum(&amplitudes, damping, multiples(cosine, sine, order))
+        };
+        color = (color - S::Vec3::lit3(term.weight) * wave).named("color");
     }
     color
+}
+
+/// What one wave number adds up to over the orders: the sum of `Re(amplitude_m damping_m e^(i m phase))`.
+pub(crate) fn order_sum<R: Real>(
+    amplitudes: &[[R; 2]],
+    damping: impl IntoIterator<Item = R>,
+    waves: impl IntoIterator<Item = [R; 2]>,
+) -> R {
+    let mut sum = R::lit(0.0);
+    for (([re, im], damping), [cosine, sine]) in amplitudes.iter().zip(damping).zip(waves) {
+        sum = (sum + damping * (*re * cosine - *im * sine)).named("wave");
+    }
+    sum
+}
+
+/// Cosine and sine of the multiples 1 to `count` of a phase, by `c_(m+1) = 2 c_1 c_m - c_(m-1)` and the same for the sine.
+pub(crate) fn multiples<R: Real>(cosine: R, sine: R, count: usize) -> Vec<[R; 2]> {
+    let mut waves = vec![[cosine, sine]];
+    let doubled = (R::lit(2.0) * cosine).named("doubled_cosine");
+    let mut previous = [R::lit(1.0), R::lit(0.0)];
+    let mut current = [cosine, sine];
+    while waves.len() < count {
+        let next = |part: usize| doubled * current[part] - previous[part];
+        let following = [next(0).named("cosine"), next(1).named("sine")];
+        (previous, current) = (current, following);
+        waves.push(following);
+    }
+    waves
+}
+
+/// `x`, `x^4`, `x^9` and so on, `count` of them: each is the one before it times `x^(2 m + 1)`.
+pub(crate) fn powers_of_square<R: Real>(x: R, count: usize, name: &str) -> Vec<R> {
+    let mut powers = vec![x];
+    let square = x * x;
+    let mut ratio = x;
+    while powers.len() < count {
+        ratio = (ratio * square).named(&format!("{name}_ratio"));
+        powers.push((powers[powers.len() - 1] * ratio).named(name));
+    }
+    powers
 }
 
 /// `Q b^m` over both polarisations, for each order m from 1 on: real and imaginary part.

@@ -2,12 +2,14 @@
 
 use crate::baked::{BakedFilm, baked_reflectance};
 use crate::film::{BaseKind, Film, film_reflectance};
+use crate::fitted::{FittedFilm, fitted_reflectance};
 use crate::fresnel::{fresnel_conductor, fresnel_dielectric, fresnel_schlick, grey, ior_from_reflectance};
 use crate::lambert::lambert;
 use crate::light::punctual_light;
 use crate::metalness::metalness_colors;
 use crate::microfacet::{cook_torrance, smith_schlick_k_image_based, smith_schlick_k_punctual};
 use crate::spectral::{SpectralNode, weighted};
+use crate::table::{FilmTable, table_reflectance};
 use pavo_shade::{Real, Scalar, Value, Vector, shade};
 
 /// How the parameter k of Smith-Schlick is chosen.
@@ -39,6 +41,10 @@ pub enum Specular {
     FilmOnMetalness(Film),
     /// A uniform film on its base, as a polynomial over the angle.
     Baked(BakedFilm),
+    /// A film of fixed indices, by a form fitted to its reflectance.
+    Fitted(FittedFilm),
+    /// A film of fixed indices, as a table over angle and thickness.
+    Table(FilmTable),
     /// No film: a base of one index.
     Bare(BaseKind),
     /// No film: a conductor whose index depends on the wavelength.
@@ -157,6 +163,8 @@ pub fn surface_reflectance<S: Scalar>(
             film_reflectance::<S, S::Vec3>(film, cos_theta1, thickness_nm, ambient_ior, film_ior, base_ior, none)
         }
         Specular::Baked(film) => baked_reflectance::<S>(film, cos_theta1),
+        Specular::Fitted(film) => fitted_reflectance::<S>(film, cos_theta1, thickness_nm),
+        Specular::Table(table) => table_reflectance::<S>(table, cos_theta1, thickness_nm),
         Specular::Bare(BaseKind::Dielectric { .. }) => grey::<S>(fresnel_dielectric(cos_theta1, ambient_ior, base_ior)),
         Specular::Bare(BaseKind::Conductor) => {
             grey::<S>(fresnel_conductor(cos_theta1, ambient_ior, base_ior, base_kappa))

@@ -5,11 +5,13 @@ mod common;
 use common::{Random, at_wavelength, film};
 use glam::DVec3;
 use pavo_optics::film::film_reflectance;
+use pavo_optics::fitted::fitted_reflectance;
 use pavo_optics::fresnel::{fresnel_conductor, fresnel_dielectric, fresnel_schlick, ior_from_reflectance};
 use pavo_optics::lambert::lambert;
 use pavo_optics::light::punctual_light;
 use pavo_optics::metalness::metalness_colors;
 use pavo_optics::surface::{shade_surface, surface_brdf, surface_radiance, surface_reflectance};
+use pavo_optics::table::table_reflectance;
 use pavo_optics::{
     BakedFilm, BaseKind, Directions, Film, Finish, Geometry, Layers, Light, Method, SpectralNode, Specular, Surface,
     VisibilityK,
@@ -119,6 +121,8 @@ fn expected_reflectance(specular: &Specular, point: &Point) -> DVec3 {
             })
             .sum(),
         Specular::BareMetalness => fresnel_schlick::<f64>(cos_theta1, colour),
+        Specular::Fitted(film) => fitted_reflectance::<f64>(film, cos_theta1, thickness_nm),
+        Specular::Table(table) => table_reflectance::<f64>(table, cos_theta1, thickness_nm),
         Specular::Baked(baked) => {
             let t = 2.0 * cos_theta1 - 1.0;
             let powers = baked.coefficients.iter().enumerate();
