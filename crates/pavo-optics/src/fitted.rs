@@ -31,6 +31,7 @@ pub type AnglePolynomial = Vec<f64>;
 
 /// A film whose reflectance was fitted.
 #[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct FittedFilm {
     /// Refractive index of the ambient medium.
     pub ambient_ior: f64,
@@ -52,6 +53,7 @@ pub struct FittedFilm {
 
 /// The part of the reflectance that does not depend on the thickness, as a function of the angle.
 #[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum FittedMean {
     /// One for all channels.
     Shared(AnglePolynomial),
@@ -61,6 +63,7 @@ pub enum FittedMean {
 
 /// One wave of the sum that stands for the integral over the spectrum.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct FittedNode {
     /// Wave number in vacuum, 1/nm.
     pub wave_number: f64,
@@ -72,6 +75,7 @@ pub struct FittedNode {
 
 /// How the interference is written. The names of the polynomials are those of the module's table.
 #[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum FittedForm {
     /// No interference: for a film of one thickness.
     AngleOnly,

@@ -32,7 +32,8 @@ fn what_is_linear_between_the_entries_is_read_exactly() {
 #[test]
 fn beyond_its_range_the_table_is_held_at_its_edge() {
     let table = table(5, |root, thickness| [root, thickness, 1.0]);
-    for (cosine, thickness, at) in [(-0.5, 50.0, [0.0, 100.0]), (1.0, 900.0, [1.0, 500.0]), (0.25, -3.0, [0.5, 100.0])] {
+    for (cosine, thickness, at) in [(-0.5, 50.0, [0.0, 100.0]), (1.0, 900.0, [1.0, 500.0]), (0.25, -3.0, [0.5, 100.0])]
+    {
         let found = table_reflectance::<f64>(&table, cosine, thickness);
         assert!((found.x - at[0]).abs() < 1e-12 && (found.y - at[1]).abs() < 1e-9, "{cosine}, {thickness}: {found}");
     }

@@ -28,6 +28,8 @@
 
 mod baking;
 mod emission;
+mod fitting;
+mod fixed_film;
 mod inputs;
 mod media;
 mod methods;
@@ -42,8 +44,9 @@ mod variant;
 pub mod cli;
 
 pub use emission::{Emission, compute, fragment, library};
+pub use fitting::{FitCache, NoCache};
 pub use inputs::ShadingQuantity;
 pub use media::MediaError;
 pub use shading::{Shading, ShadingError};
 pub use target::Target;
-pub use variant::{Fit, Variant, VariantError};
+pub use variant::{Fit, FittedForm, Variant, VariantError};

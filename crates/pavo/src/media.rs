@@ -1,6 +1,6 @@
 //! From what a scene says of its materials and colours to the data behind the names.
 
-use crate::scene::{Base, Colour, FilmMedium, Scene};
+use crate::scene::{Base, Colour, FilmMedium, IlluminantSource, Scene};
 use miette::Diagnostic;
 use pavo_spectra::illuminant::Illuminant;
 use pavo_spectra::wavelength::fine_grid;
@@ -15,7 +15,9 @@ pub enum MediaError {
     #[error("{path}: {cause}")]
     #[diagnostic(
         code(pavo::media),
-        help("csv names a file beside the scene, with the columns wavelength_nm (or wavelength_um), n and k")
+        help(
+            "csv names a file beside the scene, with the columns wavelength_nm (or wavelength_um), n and k; that of an illuminant has value in place of n and k"
+        )
     )]
     File {
         /// The file.
@@ -39,7 +41,10 @@ fn data(error: impl std::fmt::Display) -> MediaError {
 /// The sensitivities of a scene's colours.
 pub(crate) fn sensitivities(colour: &Colour) -> Result<Sensitivities, MediaError> {
     let observer = Observer::from_name(&colour.observer).map_err(data)?;
-    let illuminant = Illuminant::from_name(&colour.illuminant).map_err(data)?;
+    let illuminant = match &colour.illuminant {
+        IlluminantSource::Named(name) => Illuminant::from_name(name).map_err(data)?,
+        IlluminantSource::Table(path) => illuminant_from_file(path)?,
+    };
     let space = ColourSpace::from_name(&colour.space).map_err(data)?;
     Sensitivities::new(observer, illuminant, space).map_err(data)
 }
@@ -74,7 +79,21 @@ pub(crate) fn dispersive_film(scene: &Scene) -> Result<Option<OpticalConstants>,
 }
 
 fn from_file(path: &Path) -> Result<OpticalConstants, MediaError> {
-    let shown = path.display().to_string();
-    let text = std::fs::read_to_string(path).map_err(|cause| MediaError::File { path: shown.clone(), cause })?;
-    OpticalConstants::from_csv(&shown, &text).map_err(data)
+    let (name, text) = read(path)?;
+    OpticalConstants::from_csv(&name, &text).map_err(data)
+}
+
+/// The illuminant of a file.
+pub(crate) fn illuminant_from_file(path: &Path) -> Result<Illuminant, MediaError> {
+    let (name, text) = read(path)?;
+    Illuminant::from_csv(&name, &text).map_err(data)
+}
+
+/// The name of a file for messages, and its text.
+fn read(path: &Path) -> Result<(String, String), MediaError> {
+    let name = path.display().to_string();
+    match std::fs::read_to_string(path) {
+        Ok(text) => Ok((name, text)),
+        Err(cause) => Err(MediaError::File { path: name, cause }),
+    }
 }

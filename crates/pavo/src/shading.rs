@@ -1,6 +1,7 @@
 //! A scene and a variant together: a surface that can be evaluated, and recorded as a graph.
 
-use crate::baking::{chebyshev_cosines, polynomial};
+use crate::fitting::{FitCache, NoCache};
+use crate::fixed_film;
 use crate::inputs::{GraphReader, InputList, InputReader, PointReader, ShadingQuantity};
 use crate::media::{self, MediaError};
 use crate::methods::{FIRST_WAVELENGTH_NM, LAST_WAVELENGTH_NM, MethodError, MethodRequest};
@@ -9,8 +10,7 @@ use crate::variant::Variant;
 use miette::Diagnostic;
 use pavo_optics::surface::{brdf_of_reflectance, shade_surface, surface_brdf, surface_radiance, surface_reflectance};
 use pavo_optics::{
-    BakedFilm, BaseKind, Directions, Film, Finish, Geometry, Layers, Light, Method, Specular, Surface,
-    light::punctual_light,
+    BaseKind, Directions, Film, Finish, Geometry, Layers, Light, Method, Specular, Surface, light::punctual_light,
 };
 use pavo_shade::{Graph, Input, Program, Rate, Scalar, Vector};
 use pavo_spectra::{OpticalConstants, Point, Reference, Sensitivities, Stack};
@@ -39,6 +39,13 @@ pub enum ShadingError {
     },
 }
 
+impl ShadingError {
+    /// A variant that cannot be made for a scene.
+    pub(crate) fn variant(scene: &Scene, variant: &Variant, cause: String, help: String) -> Self {
+        Self::Variant { variant: variant.to_string(), scene: scene.name.clone(), cause, help }
+    }
+}
+
 /// A surface with a method: evaluated on the CPU, or recorded as a graph.
 #[derive(Clone, Debug)]
 pub struct Shading {
@@ -54,8 +61,16 @@ impl Shading {
     /// The surface of a scene by the method of a variant.
     ///
     /// # Errors
-    /// If a file of the scene cannot be read, or the variant is not made for its colours.
+    /// If a file of the scene cannot be read, or the variant cannot be made for the scene.
     pub fn new(scene: &Scene, variant: &Variant) -> Result<Self, ShadingError> {
+        Self::with_cache(scene, variant, &NoCache)
+    }
+
+    /// The same, with a place that keeps the fits that are not built in: some take seconds to make.
+    ///
+    /// # Errors
+    /// As [`Shading::new`].
+    pub fn with_cache(scene: &Scene, variant: &Variant, cache: &dyn FitCache) -> Result<Self, ShadingError> {
         let sensitivities = media::sensitivities(&scene.colour)?;
         let dispersive_base = media::dispersive_base(scene)?;
         let dispersive_film = media::dispersive_film(scene)?;
@@ -69,13 +84,10 @@ impl Shading {
                 .film
                 .as_ref()
                 .map_or(0.0, |film| 2.0 * film_index(film, dispersive_film.as_ref()).high() * film.thickness_nm.high()),
+            cache,
         };
-        let specular = specular(scene, &request).map_err(|(cause, help)| ShadingError::Variant {
-            variant: variant.to_string(),
-            scene: scene.name.clone(),
-            cause,
-            help: help.to_owned(),
-        })?;
+        let specular =
+            specular(scene, &request).map_err(|(cause, help)| ShadingError::variant(scene, variant, cause, help))?;
         let surface = Surface {
             specular,
             diffuse: scene.surface.diffuse,
@@ -87,29 +99,10 @@ impl Shading {
         };
         let mut shading =
             Self { scene: scene.clone(), variant: *variant, surface, sensitivities, dispersive_base, dispersive_film };
-        if let Variant::Baked { degree } = *variant {
-            shading.bake(degree)?;
+        if let Some(specular) = fixed_film::specular(&shading, cache)? {
+            shading.surface.specular = specular;
         }
         Ok(shading)
-    }
-
-    /// Puts a polynomial over the angle in place of the film, through the exact reference.
-    fn bake(&mut self, degree: usize) -> Result<(), ShadingError> {
-        let quantity = ShadingQuantity::Reflectance;
-        let varying: Vec<String> =
-            self.inputs(quantity).into_iter().map(|input| input.name).filter(|name| name != "cos_theta1").collect();
-        if !varying.is_empty() {
-            return Err(ShadingError::Variant {
-                variant: self.variant.to_string(),
-                scene: self.scene.name.clone(),
-                cause: format!("its reflectance depends on {} besides the angle", varying.join(", ")),
-                help: "baked is for uniform surfaces: fix these in the scene, or take windowed:k=6".to_owned(),
-            });
-        }
-        let points: Vec<Vec<f64>> = chebyshev_cosines(degree + 1).into_iter().map(|cosine| vec![cosine]).collect();
-        let coefficients = polynomial(&self.reference_each(quantity, &points)?);
-        self.surface.specular = Specular::Baked(BakedFilm { coefficients });
-        Ok(())
     }
 
     /// The scene.
@@ -120,6 +113,16 @@ impl Shading {
     /// The variant.
     pub fn variant(&self) -> &Variant {
         &self.variant
+    }
+
+    /// The sensitivities of the output channels.
+    pub(crate) fn sensitivities(&self) -> &Sensitivities {
+        &self.sensitivities
+    }
+
+    /// The smallest and the largest thickness of the film, nm.
+    pub(crate) fn thickness_nm(&self) -> Option<[f64; 2]> {
+        self.scene.film.as_ref().map(|film| [film.thickness_nm.low(), film.thickness_nm.high()])
     }
 
     /// What should be said of the data: where they do not reach over the visible range.
@@ -225,7 +228,7 @@ impl Shading {
     }
 
     /// The media, where all points have the same.
-    fn fixed_stack(&self) -> Result<Option<Stack>, MediaError> {
+    pub(crate) fn fixed_stack(&self) -> Result<Option<Stack>, MediaError> {
         let mut list = InputList::default();
         let layers = self.layers::<f64>(&mut list);
         let varies = list.inputs.iter().any(|input| input.name != "thickness_nm");

@@ -20,6 +20,14 @@ fn ranges_um(family: FitFamily) -> &'static [f64] {
     }
 }
 
+/// The range, in micrometres, of the built-in fits of a family that serves an optical path difference: the smallest that
+/// reaches so far, or the largest there is.
+pub fn built_in_range_um(family: FitFamily, max_opd_um: f64) -> f64 {
+    let ranges = ranges_um(family);
+    let largest = ranges[ranges.len() - 1];
+    ranges.iter().copied().find(|&range| range >= max_opd_um).unwrap_or(largest)
+}
+
 /// What is built in for one observer and illuminant.
 pub fn built_in_requests(spectrum: &BuiltInSpectrum) -> Vec<FitRequest> {
     let mut requests = Vec::new();

@@ -34,7 +34,7 @@ use self::transform_basis::{Form, TransformBasis};
 use self::transform_fit::{Samples, Solution, fit_transform};
 
 pub use self::classes::{FilmClass, film_classes};
-pub use self::files::{BUILT_IN_SEED, built_in_file, built_in_files, built_in_requests};
+pub use self::files::{BUILT_IN_SEED, built_in_file, built_in_files, built_in_range_um, built_in_requests};
 pub use self::film::{FilmPoint, Media};
 pub use self::film_samples::{FilmSamples, ReflectanceErrors};
 

@@ -32,6 +32,7 @@ pub use self::transform::SpectralTransform;
 
 /// The form of a fit.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum FitFamily {
     /// Gaussians whose centres and widths serve every channel, with real weights.
     SharedGaussians,
@@ -102,6 +103,7 @@ impl FitFamily {
 
 /// One term of a fit, for each of the three channels.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct FitTerm {
     /// Wave number nu = 1 / lambda in 1/um; equal in all channels where the family shares it.
     pub wave_number: [f64; 3],
@@ -116,6 +118,7 @@ pub struct FitTerm {
 
 /// A fit of the sensitivities' transforms.
 #[derive(Debug, Clone, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct SensitivityFit {
     /// The form of the fit.
     pub family: FitFamily,

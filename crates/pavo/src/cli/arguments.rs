@@ -2,8 +2,10 @@
 
 use crate::inputs::ShadingQuantity;
 use crate::target::Target;
+use crate::variant::FittedForm;
 use clap::{Args, Parser, Subcommand, ValueEnum};
 use pavo_emit::Form;
+use pavo_spectra::fits::FitFamily;
 use std::path::PathBuf;
 
 const EXAMPLES: &str = "\
@@ -13,6 +15,7 @@ Examples:
   pavo emit my-film.toml --target wgsl              the shader functions, on standard output
   pavo preview my-film.toml -o sphere.png           a picture of a lit sphere
   pavo eval my-film.toml --points points.csv --on reference
+  pavo fit scene my-film.toml --max-rms 0.002        a short form, fitted to this scene
   pavo doctor                                       which judges and drivers are here
 
 Exit status: 0 fine, 1 a check failed, 2 bad input, 3 something needed is missing.";
@@ -42,6 +45,8 @@ pub enum Command {
     Preview(Preview),
     /// Draw the sensitivities and their fits, or the colours of a scene beside the exact ones.
     Plot(Plot),
+    /// Make a fit: of sensitivities, or of one scene's reflectance.
+    Fit(Fit),
     /// List the variants of a scene with their errors and operation counts.
     Variants(Variants),
     /// Say which judges and drivers were found.
@@ -160,18 +165,24 @@ pub enum PlotCommand {
 
 #[derive(Debug, Args)]
 pub struct PlotSensitivities {
+    #[command(flatten)]
+    pub spectrum: SpectrumArguments,
+    /// The picture to write, .svg or .png.
+    #[arg(short, long, value_name = "FILE", default_value = "sensitivities.svg")]
+    pub output: PathBuf,
+}
+
+#[derive(Debug, Args)]
+pub struct SpectrumArguments {
     /// The observer: cie1931-2deg or cie1964-10deg.
     #[arg(long, default_value = "cie1931-2deg")]
     pub observer: String,
-    /// The illuminant: E, D65, D50 or A.
+    /// The illuminant: E, D65, D50 or A, or a CSV file with the columns wavelength_nm and value.
     #[arg(long, default_value = "E")]
     pub illuminant: String,
     /// The colour space: linear-srgb, display-p3, rec2020, acescg or xyz.
     #[arg(long, default_value = "xyz")]
     pub space: String,
-    /// The picture to write, .svg or .png.
-    #[arg(short, long, value_name = "FILE", default_value = "sensitivities.svg")]
-    pub output: PathBuf,
 }
 
 #[derive(Debug, Args)]
@@ -184,6 +195,71 @@ pub struct PlotReflectance {
     /// The picture to write, .png or .svg.
     #[arg(short, long, value_name = "FILE", default_value = "reflectance.png")]
     pub output: PathBuf,
+}
+
+#[derive(Debug, Args)]
+pub struct Fit {
+    #[command(subcommand)]
+    pub fit: FitCommand,
+}
+
+#[derive(Debug, Subcommand)]
+pub enum FitCommand {
+    /// Fit the Fourier transforms of spectral sensitivities.
+    Sensitivities(FitSensitivities),
+    /// Fit the reflectance of a scene whose indices are fixed.
+    Scene(FitScene),
+}
+
+#[derive(Debug, Args)]
+pub struct FitSensitivities {
+    /// The form of the fit.
+    #[arg(long, value_enum)]
+    pub family: FamilyName,
+    /// How many terms; for rgb-gauss and xyz-gauss, for each channel.
+    #[arg(long)]
+    pub count: usize,
+    #[command(flatten)]
+    pub spectrum: SpectrumArguments,
+    /// The largest optical path difference that is fitted, um.
+    #[arg(long, value_name = "UM", default_value_t = 12.0)]
+    pub max_opd_um: f64,
+    /// What the random numbers of the starts begin with.
+    #[arg(long, default_value_t = 1)]
+    pub seed: u64,
+    /// Print the fit as JSON.
+    #[arg(long)]
+    pub json: bool,
+    /// The file to write [default: standard output].
+    #[arg(short, long, value_name = "FILE")]
+    pub output: Option<PathBuf>,
+}
+
+#[derive(Debug, Args)]
+pub struct FitScene {
+    /// The scene file.
+    pub scene: PathBuf,
+    /// The form [default: the cheapest that keeps to the errors; with none given, the one that comes closest].
+    #[arg(long, value_enum)]
+    pub form: Option<FormOfFit>,
+    /// How many waves; where the form is left open, how many at most.
+    #[arg(short = 'k', long, default_value_t = 6)]
+    pub count: usize,
+    /// The largest root of the mean square error.
+    #[arg(long, value_name = "ERROR")]
+    pub max_rms: Option<f64>,
+    /// The largest error in any channel at any point.
+    #[arg(long, value_name = "ERROR")]
+    pub max_error: Option<f64>,
+    /// What the random numbers of the starts begin with.
+    #[arg(long, default_value_t = 1)]
+    pub seed: u64,
+    /// Print the fit with its coefficients as JSON.
+    #[arg(long)]
+    pub json: bool,
+    /// The file to write [default: standard output].
+    #[arg(short, long, value_name = "FILE")]
+    pub output: Option<PathBuf>,
 }
 
 #[derive(Debug, Args)]
@@ -206,6 +282,71 @@ pub struct Doctor {
 pub struct New {
     /// The name of the scene; the file is NAME.toml.
     pub name: String,
+}
+
+/// The families of fits by name.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum FamilyName {
+    /// Gaussians that the channels share.
+    Gauss,
+    /// Gaussians for each output channel.
+    RgbGauss,
+    /// Gaussians for each of X, Y and Z.
+    XyzGauss,
+    /// Complex exponentials that decay.
+    Poles,
+    /// Equally spaced wave numbers under a window.
+    Windowed,
+    /// Wavelengths of a quadrature.
+    Nodes,
+}
+
+impl From<FamilyName> for FitFamily {
+    fn from(name: FamilyName) -> Self {
+        match name {
+            FamilyName::Gauss => FitFamily::SharedGaussians,
+            FamilyName::RgbGauss => FitFamily::RgbGaussians,
+            FamilyName::XyzGauss => FitFamily::XyzGaussians,
+            FamilyName::Poles => FitFamily::Poles,
+            FamilyName::Windowed => FitFamily::WindowedNodes,
+            FamilyName::Nodes => FitFamily::Nodes,
+        }
+    }
+}
+
+/// The forms of fits to a scene by name.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum FormOfFit {
+    /// The angle alone: for a film of one thickness.
+    AngleOnly,
+    /// The first order of interference: for low contrast.
+    #[value(alias = "m1")]
+    FirstOrder,
+    /// All orders by one kernel: for low contrast.
+    #[value(alias = "ks")]
+    Kernel,
+    /// All orders, the higher ones damped more: for dielectrics.
+    #[value(alias = "k")]
+    DampedKernel,
+    /// The same with a first order of its own: for high contrast.
+    #[value(alias = "l2")]
+    CorrectedKernel,
+    /// Three orders with phases: for bases that absorb.
+    #[value(alias = "cm3")]
+    ThreeOrders,
+}
+
+impl From<FormOfFit> for FittedForm {
+    fn from(form: FormOfFit) -> Self {
+        match form {
+            FormOfFit::AngleOnly => FittedForm::AngleOnly,
+            FormOfFit::FirstOrder => FittedForm::FirstOrder,
+            FormOfFit::Kernel => FittedForm::Kernel,
+            FormOfFit::DampedKernel => FittedForm::DampedKernel,
+            FormOfFit::CorrectedKernel => FittedForm::CorrectedKernel,
+            FormOfFit::ThreeOrders => FittedForm::ThreeOrders,
+        }
+    }
 }
 
 /// The forms by name.

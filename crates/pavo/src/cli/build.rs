@@ -30,9 +30,8 @@ const SMALLEST_COSINE: f64 = 1e-3;
 
 /// Builds a scene.
 pub fn run(arguments: &arguments::Build) -> Result<(), Failure> {
-    let progress = Progress::start();
-    progress.step("reading the scene");
     let source = Source::load(&arguments.scene, arguments.variant.as_deref())?;
+    let progress = Progress::start();
     let targets = if arguments.target.is_empty() { targets(&source)? } else { arguments.target.clone() };
     let mut emitted: Vec<Emitted> = Vec::new();
     for target in targets {

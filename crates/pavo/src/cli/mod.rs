@@ -4,12 +4,14 @@
 
 mod arguments;
 mod build;
+mod cache;
 mod check;
 mod command_line;
 mod doctor;
 mod emit;
 mod eval;
 mod failure;
+mod fit;
 mod manifest;
 mod new;
 mod output;
@@ -19,6 +21,7 @@ mod preview;
 mod progress;
 mod roads;
 mod sources;
+mod spectrum;
 mod variants;
 
 use arguments::{Arguments, Command};
@@ -46,6 +49,7 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
         Command::Eval(arguments) => eval::run(&arguments),
         Command::Preview(arguments) => preview::run(&arguments),
         Command::Plot(arguments) => plot::run(&arguments.plot),
+        Command::Fit(arguments) => fit::run(&arguments.fit),
         Command::Variants(arguments) => variants::run(&arguments),
         Command::Doctor(arguments) => doctor::run(&arguments),
         Command::New(arguments) => new::run(&arguments),

@@ -17,9 +17,9 @@ const OVERSAMPLING: u32 = 2;
 
 /// Renders the sphere and writes the picture.
 pub fn run(arguments: &arguments::Preview) -> Result<(), Failure> {
+    let source = Source::load(&arguments.scene, arguments.variant.as_deref())?;
     let progress = Progress::start();
     progress.step("emitting the fragment shader");
-    let source = Source::load(&arguments.scene, arguments.variant.as_deref())?;
     let fragment = source.emit(Target::Spirv, Form::Fragment, ShadingQuantity::Radiance)?;
     let words = fragment.bytes.chunks_exact(4);
     let fragment_words: Vec<u32> = words.map(|word| u32::from_le_bytes([word[0], word[1], word[2], word[3]])).collect();

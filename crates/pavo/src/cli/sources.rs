@@ -1,8 +1,10 @@
 //! From the arguments to a surface, and from a surface to judged shaders.
 
+use super::cache::DiskCache;
 use super::command_line;
 use super::failure::Failure;
 use super::output;
+use super::progress::Progress;
 use crate::inputs::ShadingQuantity;
 use crate::scene::Scene;
 use crate::shading::Shading;
@@ -26,7 +28,10 @@ impl Source {
     pub fn load(path: &Path, variant: Option<&str>) -> Result<Self, Failure> {
         let scene = Scene::load(path)?;
         let variant: Variant = variant.unwrap_or(&scene.emit.variant).parse()?;
-        let shading = Shading::new(&scene, &variant)?;
+        let progress = Progress::start();
+        progress.step(format!("preparing {} by {variant}", scene.name));
+        let shading = Shading::with_cache(&scene, &variant, &DiskCache::open())?;
+        drop(progress);
         for warning in shading.warnings() {
             output::warn(&warning);
         }

@@ -1,6 +1,7 @@
 //! `pavo variants`: what there is to choose from.
 
 use super::arguments;
+use super::cache::DiskCache;
 use super::failure::Failure;
 use super::output;
 use super::progress::Progress;
@@ -35,12 +36,13 @@ pub fn run(arguments: &arguments::Variants) -> Result<(), Failure> {
     let progress = Progress::start();
     let space = ColourSpace::from_name(&scene.colour.space)
         .map_err(|error| Failure::input(error, "see colour.space of the scene"))?;
+    let cache = DiskCache::open();
     let mut reference = None;
     let mut rows = Vec::new();
     let mut refused = Vec::new();
     for variant in Variant::candidates() {
         progress.step(variant.to_string());
-        let shading = match Shading::new(&scene, &variant) {
+        let shading = match Shading::with_cache(&scene, &variant, &cache) {
             Err(ShadingError::Variant { cause, .. }) => {
                 refused.push(format!("{variant}: {cause}"));
                 continue;
@@ -75,7 +77,7 @@ pub fn run(arguments: &arguments::Variants) -> Result<(), Failure> {
     }
     let mut text = format!(
         "Reflectance of {} against the exact spectral reference, {POINTS} points over its ranges, in {}:\n\n\
-         {:<30} {:>9} {:>9} {:>9} {:>9} {:>11} {:>8} {:>8}\n",
+         {:<44} {:>9} {:>9} {:>9} {:>9} {:>11} {:>8} {:>8} {:>7}\n",
         scene.name,
         scene.colour.space,
         "variant",
@@ -85,12 +87,13 @@ pub fn run(arguments: &arguments::Variants) -> Result<(), Failure> {
         "95% dE",
         "arithmetic",
         "sqrt, /",
-        "sin, exp"
+        "sin, exp",
+        "fetches"
     );
     for row in &rows {
-        let Operations { arithmetic, roots, transcendental } = row.operations;
+        let Operations { arithmetic, roots, transcendental, fetches } = row.operations;
         text.push_str(&format!(
-            "{:<30} {:>9.2e} {:>9.2e} {:>9.3} {:>9.3} {arithmetic:>11} {roots:>8} {transcendental:>8}\n",
+            "{:<44} {:>9.2e} {:>9.2e} {:>9.3} {:>9.3} {arithmetic:>11} {roots:>8} {transcendental:>8} {fetches:>7}\n",
             row.variant, row.max, row.rms, row.delta_e_mean, row.delta_e_p95
         ));
     }

@@ -8,7 +8,7 @@ use toml::de::DeTable;
 
 use super::error::SceneError;
 use super::fault::{Checked, Fault};
-use super::model::{Base, FilmMedium, Scene};
+use super::model::{Base, FilmMedium, IlluminantSource, Scene};
 use super::places::Places;
 use super::read::read;
 use super::shown::shown;
@@ -135,9 +135,14 @@ fn check_table_is_a_file(scene: &Scene) -> Checked<()> {
         Base::Table { path } => Some(("base.csv", path)),
         _ => None,
     };
-    let Some((key, path)) = film.into_iter().chain(base).find(|(_, path)| !path.is_file()) else { return Ok(()) };
+    let illuminant = match &scene.colour.illuminant {
+        IlluminantSource::Table(path) => Some(("colour.illuminant_csv", path)),
+        IlluminantSource::Named(_) => None,
+    };
+    let files = film.into_iter().chain(base).chain(illuminant);
+    let Some((key, path)) = files.into_iter().find(|(_, path)| !path.is_file()) else { return Ok(()) };
     let message = format!("`{key}` names `{}`, which is not a file", shown(&path.display().to_string()));
     let help = "the path is taken from the folder of the scene file; \
-                the file lists wavelength, n and k";
+                the file lists wavelength, n and k, or for an illuminant wavelength and value";
     Err(Fault::at(key, "no such file", message, help))
 }

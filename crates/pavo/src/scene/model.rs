@@ -1,5 +1,6 @@
 //! The scene as data.
 
+use std::fmt;
 use std::path::PathBuf;
 
 use serde::Serialize;
@@ -132,8 +133,9 @@ impl ColourQuantity {
 pub struct Colour {
     /// The colour-matching functions; one of [`OBSERVERS`](super::OBSERVERS).
     pub observer: String,
-    /// The illuminant that weighs them; one of [`ILLUMINANTS`](super::ILLUMINANTS).
-    pub illuminant: String,
+    /// The illuminant that weighs them.
+    #[serde(flatten)]
+    pub illuminant: IlluminantSource,
     /// The space of the result; one of [`SPACES`](super::SPACES).
     pub space: String,
 }
@@ -141,7 +143,30 @@ pub struct Colour {
 impl Default for Colour {
     /// The CIE 1931 2 degree observer under D65, in linear sRGB.
     fn default() -> Self {
-        Colour { observer: "cie1931-2deg".to_owned(), illuminant: "D65".to_owned(), space: "linear-srgb".to_owned() }
+        Colour {
+            observer: "cie1931-2deg".to_owned(),
+            illuminant: IlluminantSource::Named("D65".to_owned()),
+            space: "linear-srgb".to_owned(),
+        }
+    }
+}
+
+/// The illuminant of a scene's colours.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum IlluminantSource {
+    /// A standard one; one of [`ILLUMINANTS`](super::ILLUMINANTS).
+    Named(String),
+    /// A spectrum that is read from a file: wavelength, and power in any unit.
+    Table(PathBuf),
+}
+
+impl fmt::Display for IlluminantSource {
+    /// The name, or that of the file without its folder.
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            IlluminantSource::Named(name) => f.write_str(name),
+            IlluminantSource::Table(path) => write!(f, "{}", path.file_name().unwrap_or(path.as_os_str()).display()),
+        }
     }
 }
 

@@ -6,7 +6,8 @@ use toml::de::{DeTable, DeValue};
 
 use super::fault::{Checked, Fault};
 use super::model::{
-    Ambient, Base, Colour, ColourQuantity, Emit, Film, FilmMedium, Lights, Quantity, Scene, Surface, VisibilityK,
+    Ambient, Base, Colour, ColourQuantity, Emit, Film, FilmMedium, IlluminantSource, Lights, Quantity, Scene, Surface,
+    VisibilityK,
 };
 use super::shown::shown;
 use super::suggest::did_you_mean;
@@ -35,7 +36,7 @@ pub(super) fn read(document: &DeTable<'_>, directory: &Path) -> Checked<Scene> {
     let base = read_base(&base.ok_or_else(missing_base)?, directory)?;
     Ok(Scene {
         name: name.to_owned(),
-        colour: colour.map_or_else(|| Ok(Colour::default()), |table| read_colour(&table))?,
+        colour: colour.map_or_else(|| Ok(Colour::default()), |table| read_colour(&table, directory))?,
         ambient: ambient.map_or_else(|| Ok(Ambient::default()), |table| read_ambient(&table))?,
         film: film.map(|table| read_film(&table, directory)).transpose()?,
         surface: read_surface(surface.as_ref(), &base)?,
@@ -59,14 +60,29 @@ fn kinds_of_base() -> &'static str {
      `csv` (a file of wavelength, n, k), `workflow = \"metalness\"`"
 }
 
-fn read_colour(table: &Table<'_>) -> Checked<Colour> {
+fn read_colour(table: &Table<'_>, directory: &Path) -> Checked<Colour> {
     let default = Colour::default();
     let string = |key, default| table.string(key).map(|given| given.map_or(default, ToOwned::to_owned));
     Ok(Colour {
         observer: string("observer", default.observer)?,
-        illuminant: string("illuminant", default.illuminant)?,
+        illuminant: read_illuminant(table, directory)?.unwrap_or(default.illuminant),
         space: string("space", default.space)?,
     })
+}
+
+fn read_illuminant(table: &Table<'_>, directory: &Path) -> Checked<Option<IlluminantSource>> {
+    match (table.string("illuminant")?, table.string("illuminant_csv")?) {
+        (None, None) => Ok(None),
+        (Some(name), None) => Ok(Some(IlluminantSource::Named(name.to_owned()))),
+        (None, Some(file)) => csv_path("colour.illuminant_csv", file, directory).map(IlluminantSource::Table).map(Some),
+        (Some(_), Some(_)) => {
+            let message = "`[colour]` gives the illuminant twice: by `illuminant` and by `illuminant_csv`";
+            let help =
+                "keep one of `illuminant` (a standard one) and `illuminant_csv` (a file of wavelength and value)";
+            let fault = Fault::at("colour.illuminant_csv", "and again here", message, help).in_key();
+            Err(fault.and_at("colour.illuminant", "given here"))
+        }
+    }
 }
 
 fn read_ambient(table: &Table<'_>) -> Checked<Ambient> {

@@ -2,7 +2,7 @@
 
 use serde::ser::{Serialize, SerializeMap, Serializer};
 
-use super::model::{Base, ColourQuantity, FilmMedium, Quantity, VisibilityK};
+use super::model::{Base, ColourQuantity, FilmMedium, IlluminantSource, Quantity, VisibilityK};
 
 impl Serialize for Quantity {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
@@ -39,6 +39,17 @@ impl Serialize for FilmMedium {
             FilmMedium::Index(ior) => map.serialize_entry("ior", ior)?,
             FilmMedium::Material(name) => map.serialize_entry("material", name)?,
             FilmMedium::Table(path) => map.serialize_entry("csv", path)?,
+        }
+        map.end()
+    }
+}
+
+impl Serialize for IlluminantSource {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        let mut map = serializer.serialize_map(None)?;
+        match self {
+            IlluminantSource::Named(name) => map.serialize_entry("illuminant", name)?,
+            IlluminantSource::Table(path) => map.serialize_entry("illuminant_csv", path)?,
         }
         map.end()
     }

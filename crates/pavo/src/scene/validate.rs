@@ -2,7 +2,7 @@
 
 use super::error::SceneError;
 use super::fault::{Checked, Fault};
-use super::model::{Base, ColourQuantity, Emit, FilmMedium, Quantity, Scene, Surface, VisibilityK};
+use super::model::{Base, ColourQuantity, Emit, FilmMedium, IlluminantSource, Quantity, Scene, Surface, VisibilityK};
 use super::shown::{shown, shown_number};
 use super::suggest::did_you_mean;
 use super::vocabulary::{
@@ -25,7 +25,9 @@ impl Scene {
 pub(super) fn check(scene: &Scene) -> Checked<()> {
     check_name(&scene.name)?;
     check_choice("colour.observer", "observer", &scene.colour.observer, OBSERVERS)?;
-    check_choice("colour.illuminant", "illuminant", &scene.colour.illuminant, ILLUMINANTS)?;
+    if let IlluminantSource::Named(name) = &scene.colour.illuminant {
+        check_choice("colour.illuminant", "illuminant", name, ILLUMINANTS)?;
+    }
     check_choice("colour.space", "colour space", &scene.colour.space, SPACES)?;
     check_quantity("ambient.ior", scene.ambient.ior, &INDEX_LIMITS)?;
     if let Some(film) = &scene.film {

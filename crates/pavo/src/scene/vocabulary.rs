@@ -47,7 +47,7 @@ pub(super) const TOP_KEYS: &[&str] = &["name"];
 
 /// Every table with its keys, in the order a scene file has them.
 pub(super) const TABLES: &[(&str, &[&str])] = &[
-    ("colour", &["observer", "illuminant", "space"]),
+    ("colour", &["observer", "illuminant", "illuminant_csv", "space"]),
     ("ambient", &["ior"]),
     ("film", &["ior", "material", "csv", "thickness_nm"]),
     ("base", &["ior", "kappa", "metal", "csv", "workflow"]),

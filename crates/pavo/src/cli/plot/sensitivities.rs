@@ -6,9 +6,10 @@ use super::{FONT, Format, Picture, shown, tick};
 use crate::cli::arguments;
 use crate::cli::failure::Failure;
 use crate::cli::output;
+use crate::cli::spectrum;
 use pavo_spectra::fits::{FitFamily, FitTerm, SensitivityFit, SpectralTransform, built_in};
 use pavo_spectra::gaussian::belcour_barla;
-use pavo_spectra::{ColourSpace, Illuminant, Observer, Sensitivities};
+use pavo_spectra::{Illuminant, Sensitivities};
 use plotters::coord::Shift;
 use plotters::prelude::*;
 use std::f64::consts::PI;
@@ -29,12 +30,7 @@ const FILM_B: f64 = 0.7;
 /// Draws the four panels.
 pub fn run(arguments: &arguments::PlotSensitivities) -> Result<(), Failure> {
     let format = Format::of(&arguments.output)?;
-    let named = |error: pavo_spectra::names::UnknownName| Failure::input(error, "take one of the known names");
-    let observer = Observer::from_name(&arguments.observer).map_err(named)?;
-    let illuminant = Illuminant::from_name(&arguments.illuminant).map_err(named)?;
-    let space = ColourSpace::from_name(&arguments.space).map_err(named)?;
-    let sensitivities = Sensitivities::new(observer, illuminant, space)
-        .map_err(|error| Failure::input(error, "take another illuminant"))?;
+    let sensitivities = spectrum::sensitivities(&arguments.spectrum)?;
     let fit = gaussian_fit(&sensitivities);
     if fit.is_none() {
         output::warn("there is no Gaussian fit for this observer and illuminant: the curves are drawn without one");

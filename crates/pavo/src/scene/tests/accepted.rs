@@ -3,7 +3,8 @@
 use std::path::{Path, PathBuf};
 
 use crate::scene::{
-    Ambient, Base, Colour, ColourQuantity, Emit, Film, FilmMedium, Lights, Quantity, Scene, Surface, VisibilityK,
+    Ambient, Base, Colour, ColourQuantity, Emit, Film, FilmMedium, IlluminantSource, Lights, Quantity, Scene, Surface,
+    VisibilityK,
 };
 
 fn read(text: &str) -> Scene {
@@ -44,7 +45,11 @@ fn a_scene_in_full_is_read_key_by_key() {
     "#;
     let expected = Scene {
         name: "Full_1".to_owned(),
-        colour: Colour { observer: "cie1964-10deg".into(), illuminant: "A".into(), space: "acescg".into() },
+        colour: Colour {
+            observer: "cie1964-10deg".into(),
+            illuminant: IlluminantSource::Named("A".into()),
+            space: "acescg".into(),
+        },
         ambient: Ambient { ior: range(1.0, 1.5) },
         film: Some(Film { medium: FilmMedium::Index(range(1.3, 2.5)), thickness_nm: Quantity::Fixed(400.0) }),
         base: Base::Conductor { ior: Quantity::Fixed(2.7), kappa: range(0.0, 3.8) },
@@ -70,7 +75,7 @@ fn a_scene_of_a_name_and_a_base_has_every_default() {
     let scene = read("name = 'bare'\nbase.ior = 1.5");
     assert_eq!(scene, Scene::new("bare", Base::Dielectric { ior: Quantity::Fixed(1.5) }));
     assert_eq!(scene.colour.observer, "cie1931-2deg");
-    assert_eq!(scene.colour.illuminant, "D65");
+    assert_eq!(scene.colour.illuminant, IlluminantSource::Named("D65".into()));
     assert_eq!(scene.colour.space, "linear-srgb");
     assert_eq!(scene.ambient.ior, Quantity::Fixed(1.0));
     assert_eq!(scene.film, None);
@@ -218,4 +223,13 @@ fn a_film_is_an_index_a_material_or_a_table() {
         let scene = read(&format!("name = 'x'\nbase.ior = 1.5\n[film]\nthickness_nm = 100\n{written}"));
         assert_eq!(scene.film.map(|film| film.medium), Some(expected), "{written}");
     }
+}
+
+#[test]
+fn an_illuminant_is_a_name_or_a_file() {
+    let scene = |colour: &str| read(&format!("name = 'a'\n[colour]\n{colour}\n[base]\nior = 1.5"));
+    let of_file = scene("illuminant_csv = 'lamp.csv'").colour.illuminant;
+    assert_eq!(of_file, IlluminantSource::Table(PathBuf::from("folder/lamp.csv")));
+    assert_eq!(of_file.to_string(), "lamp.csv");
+    assert_eq!(scene("illuminant = 'E'").colour.illuminant, IlluminantSource::Named("E".into()));
 }

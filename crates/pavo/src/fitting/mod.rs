@@ -1,0 +1,60 @@
+//! Fits that are not built in: made on demand by `pavo-fit`, where the feature `fit` brings it.
+
+#[cfg(not(feature = "fit"))]
+mod absent;
+#[cfg(feature = "fit")]
+mod solver;
+
+#[cfg(not(feature = "fit"))]
+pub(crate) use absent::{scene_fit, sensitivity_fit};
+#[cfg(feature = "fit")]
+pub(crate) use solver::{form, scene_fit, sensitivity_fit};
+
+use crate::variant::FittedForm;
+use pavo_spectra::fits::FitFamily;
+use pavo_spectra::{OpticalConstants, Sensitivities};
+
+/// A place that keeps fits, so that each is made once.
+pub trait FitCache: Sync {
+    /// What was stored under a key.
+    fn load(&self, key: &str) -> Option<String>;
+    /// Stores a text under a key. That it cannot be stored is no error: the fit is then made again next time.
+    fn store(&self, key: &str, text: &str);
+}
+
+/// Keeps nothing.
+#[derive(Clone, Copy, Debug)]
+pub struct NoCache;
+
+impl FitCache for NoCache {
+    fn load(&self, _: &str) -> Option<String> {
+        None
+    }
+    fn store(&self, _: &str, _: &str) {}
+}
+
+/// A fit of sensitivities that is asked for.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct SensitivityRequest<'a> {
+    pub family: FitFamily,
+    /// Number of terms.
+    pub count: usize,
+    pub sensitivities: &'a Sensitivities,
+    /// The largest optical path difference, um.
+    pub max_opd_um: f64,
+}
+
+/// A fit of one scene's reflectance that is asked for.
+#[derive(Clone, Debug)]
+pub(crate) struct SceneRequest<'a> {
+    pub ambient_ior: f64,
+    pub film: OpticalConstants,
+    pub base: OpticalConstants,
+    /// The smallest and the largest thickness, nm.
+    pub thickness_nm: [f64; 2],
+    pub sensitivities: &'a Sensitivities,
+    pub form: Option<FittedForm>,
+    /// Number of waves, or the most where the form is left open.
+    pub count: usize,
+    pub rms_error: f64,
+}
