@@ -55,18 +55,22 @@
 //!   `x - x`, `-(-x)` and a selection by a known mask disappear. Nothing else is rewritten: no reassociation, no
 //!   multiplication by a reciprocal in place of a division.
 
+mod bounds;
 mod expr;
 mod fold;
 mod function;
 mod graph;
 pub mod interpret;
+pub mod interval;
 pub mod naming;
 mod native;
 mod operations;
 mod program;
 mod real;
+mod specialise;
 mod value;
 
+pub use bounds::{Bounds, FunctionBounds, bounds};
 pub use expr::{Expr, ExprMask};
 pub use function::{FunctionInfo, Input, ParameterInfo, Rate};
 pub use graph::{BinaryOp, Comparison, Graph, Node, NodeId, Op, Type, UnaryOp};
@@ -74,4 +78,5 @@ pub use operations::Operations;
 pub use pavo_shade_macros::shade;
 pub use program::{Definition, Output, Parameter, Program, ReturnValue, operands};
 pub use real::{Lanes, Mask, Real, Scalar, Vector};
+pub use specialise::{LeftOut, Specialised, specialise};
 pub use value::{Arguments, LeafInfo, Value, join};

@@ -1,0 +1,61 @@
+//! Bounds of what a program computes, over the ranges of its inputs.
+
+mod claims;
+mod evaluator;
+mod layout;
+mod search;
+
+pub(crate) use claims::{Claim, Fact};
+
+use crate::interval::{Interval, Precision};
+use crate::program::Program;
+use evaluator::Evaluator;
+use layout::{Layout, width};
+use search::{Search, halved};
+
+/// The bounds of each node of a function, by component; none of nodes that only stand for the results of a call.
+pub type FunctionBounds<P> = Vec<[Interval<P>; 3]>;
+
+/// The bounds of a program's values, over all calls of each function.
+#[derive(Clone, Debug)]
+pub struct Bounds<P> {
+    /// The nodes of each function, in the order of [`Program::functions`], then those of the body.
+    pub functions: Vec<FunctionBounds<P>>,
+    /// The outputs, by component.
+    pub outputs: Vec<[Interval<P>; 3]>,
+}
+
+/// The bounds of each node and output of a program, over the ranges of its inputs. The ranges are halved into up to
+/// `parts` boxes, each bounded by itself: the more boxes, the closer the bounds.
+pub fn bounds<P: Precision>(program: &Program, parts: usize) -> Bounds<P> {
+    let layout = Layout::new(program);
+    let mut evaluator = Evaluator::<Interval<P>>::new(&layout);
+    let mut joined: Vec<Option<Interval<P>>> = vec![None; layout.slot_count];
+    let whole =
+        program.inputs().iter().flat_map(|input| vec![Interval::new(input.low, input.high); input.components()]);
+    for part in halved(whole.collect(), parts) {
+        evaluator.run(layout.body(), &part, &mut |function, slots| {
+            let frame = &layout.frames[function];
+            let nodes = frame.nodes.iter().zip(&layout.definitions[function].nodes);
+            for (at, node) in nodes {
+                for slot in (0..width(node.ty)).map(|component| at.component(component)) {
+                    joined[slot] = Some(joined[slot].map_or(slots[slot], |known| known.hull(slots[slot])));
+                }
+            }
+        });
+    }
+    // Constants are in no node's bounds that was not evaluated.
+    let at = |slot: usize| joined[slot].unwrap_or(evaluator.slots[slot]);
+    let value = |slots: layout::Slots| [0, 1, 2].map(|component| at(slots.component(component)));
+    let body = layout.body();
+    let functions = layout.frames.iter().map(|frame| frame.nodes.iter().map(|&slots| value(slots)).collect());
+    Bounds {
+        functions: functions.collect(),
+        outputs: layout.frames[body].results.iter().map(|&slots| value(slots)).collect(),
+    }
+}
+
+/// The claims on a program's guards that hold for all inputs within their ranges.
+pub(crate) fn proven<P: Precision>(program: &Program) -> Vec<Claim> {
+    Search::<P>::new(&Layout::new(program)).run(program.inputs())
+}
