@@ -1,6 +1,6 @@
 //! Evaluation of a laid-out program on what is no plain number: on intervals, or on what a number depends on.
 
-use super::layout::{Layout, Slots, Step};
+use super::layout::{Copying, Layout, Slots, Step};
 use crate::graph::{BinaryOp, Comparison, Op, UnaryOp};
 use crate::interval::{Interval, Precision, Truth};
 
@@ -43,31 +43,34 @@ impl<'a, V: Domain> Evaluator<'a, V> {
         let layout = self.layout;
         for step in &layout.frames[function].steps {
             match step {
-                Step::Compute { op, operands, to, width } => self.compute(*op, operands, *to, *width),
+                Step::Compute { op, operands, count, to, width } => {
+                    self.compute(*op, operands, *count, *to, *width);
+                }
                 Step::Gather { from, to } => {
                     for (index, from) in from.iter().enumerate() {
                         self.slots[to + index] = self.slots[from.at];
                     }
                 }
                 Step::Call { callee, arguments, results } => {
-                    for (copying, index) in
-                        arguments.iter().flat_map(|copying| (0..copying.width).map(move |i| (copying, i)))
-                    {
-                        self.slots[copying.to + index] = self.slots[copying.from.component(index)];
-                    }
+                    self.copy(arguments);
                     self.run_steps(*callee, after);
-                    for (copying, index) in
-                        results.iter().flat_map(|copying| (0..copying.width).map(move |i| (copying, i)))
-                    {
-                        self.slots[copying.to + index] = self.slots[copying.from.component(index)];
-                    }
+                    self.copy(results);
                 }
             }
         }
         after(function, &self.slots);
     }
 
-    fn compute(&mut self, op: Op, operands: &[Slots; 3], to: usize, width: usize) {
+    fn copy(&mut self, values: &[Copying]) {
+        for value in values {
+            for component in 0..value.width {
+                self.slots[value.to + component] = self.slots[value.from.component(component)];
+            }
+        }
+    }
+
+    #[inline]
+    fn compute(&mut self, op: Op, operands: &[Slots; 3], count: usize, to: usize, width: usize) {
         let at = |operand: Slots, component: usize| self.slots[operand.component(component)];
         let [a, b, c] = *operands;
         match op {
@@ -82,7 +85,6 @@ impl<'a, V: Domain> Evaluator<'a, V> {
                 }
             }
             _ => {
-                let count = crate::program::operands(op).count();
                 for component in 0..width {
                     let values = [a, b, c].map(|operand| self.slots[operand.component(component)]);
                     self.slots[to + component] = V::apply(op, &values[..count]);
@@ -99,6 +101,22 @@ impl Domain for u64 {
     }
     fn apply(_: Op, operands: &[Self]) -> Self {
         operands.iter().fold(0, |all, operand| all | operand)
+    }
+}
+
+/// Where a value comes from: whether it is just a parameter.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) enum Origin {
+    Parameter(usize),
+    Computed,
+}
+
+impl Domain for Origin {
+    fn literal(_: f64) -> Self {
+        Origin::Computed
+    }
+    fn apply(_: Op, _: &[Self]) -> Self {
+        Origin::Computed
     }
 }
 

@@ -26,8 +26,8 @@ pub(super) struct Copying {
 
 #[derive(Debug)]
 pub(super) enum Step {
-    /// An operation, once for each component.
-    Compute { op: Op, operands: [Slots; 3], to: usize, width: usize },
+    /// An operation on so many operands, once for each component.
+    Compute { op: Op, operands: [Slots; 3], count: usize, to: usize, width: usize },
     /// A vector of three numbers.
     Gather { from: [Slots; 3], to: usize },
     /// A call: the arguments into the parameters, the function, its results out of it.
@@ -81,6 +81,12 @@ impl<'a> Layout<'a> {
     /// The number of the body.
     pub fn body(&self) -> usize {
         self.frames.len() - 1
+    }
+
+    /// The slots of all components of a function's parameters.
+    pub fn parameter_slots(&self, function: usize) -> impl Iterator<Item = usize> {
+        let parameters = self.frames[function].parameters.iter();
+        parameters.flat_map(|&(slots, width)| (0..width).map(move |index| slots.component(index)))
     }
 
     fn take(&mut self, width: usize) -> Slots {
@@ -146,7 +152,8 @@ impl<'a> Layout<'a> {
                 for (slot, index) in operands.iter_mut().zip(crate::program::operands(op)) {
                     *slot = of(frame, index);
                 }
-                frame.steps.push(Step::Compute { op, operands, to: slots.at, width });
+                let count = crate::program::operands(op).count();
+                frame.steps.push(Step::Compute { op, operands, count, to: slots.at, width });
                 frame.cost += width;
                 slots
             }

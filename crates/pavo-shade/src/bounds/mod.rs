@@ -1,5 +1,6 @@
 //! Bounds of what a program computes, over the ranges of its inputs.
 
+mod boxes;
 mod claims;
 mod evaluator;
 mod layout;
@@ -9,9 +10,10 @@ pub(crate) use claims::{Claim, Fact};
 
 use crate::interval::{Interval, Precision};
 use crate::program::Program;
+use boxes::halved;
 use evaluator::Evaluator;
 use layout::{Layout, width};
-use search::{Search, halved};
+use search::Search;
 
 /// The bounds of each node of a function, by component; none of nodes that only stand for the results of a call.
 pub type FunctionBounds<P> = Vec<[Interval<P>; 3]>;

@@ -5,23 +5,36 @@
 //! follow from those of the inputs, and the other way round. Each function through which every way to the claim leads is
 //! tried, the innermost first, over the ranges that its parameters take in the whole program.
 
+use super::boxes::{Parameters, halved, halves, points, widest};
 use super::claims::{Claim, claims};
-use super::evaluator::Evaluator;
+use super::evaluator::{Evaluator, Origin};
 use super::layout::Layout;
 use crate::function::Input;
 use crate::interval::{Interval, Precision};
 
-/// How many numbers are computed at most for one function.
-const EFFORT: usize = 400_000;
+/// How many numbers are computed at most for one function, in thousands of those of one evaluation.
+const EFFORT: usize = 160_000;
 /// How many boxes are evaluated at most for one function.
-const MOST_BOXES: usize = 1024;
+const MOST_BOXES: usize = 768;
 /// How many boxes the inputs are halved into to find the ranges of the parameters.
-const RANGE_BOXES: usize = 32;
-/// How many points are looked at for an exception to a claim, besides corners.
-const POINTS: usize = 24;
+const RANGE_BOXES: usize = 16;
+/// The share of the effort that goes to single points, to find exceptions to a claim.
+const POINT_SHARE: usize = 8;
+/// How many points are looked at at most.
+const MOST_POINTS: usize = 48;
 
-/// The ranges of a function's parameters, by component.
-type Parameters<P> = Vec<Interval<P>>;
+/// What the last evaluation says of a claim.
+#[derive(Clone, Copy)]
+struct Outcome {
+    /// Whether it follows.
+    follows: bool,
+    /// Whether it is false.
+    fails: bool,
+    /// The bounds of its subject.
+    bounds: [f64; 2],
+}
+
+const UNKNOWN: Outcome = Outcome { follows: true, fails: false, bounds: [f64::INFINITY, f64::NEG_INFINITY] };
 
 pub(crate) struct Search<'a, P> {
     layout: &'a Layout<'a>,
@@ -29,8 +42,12 @@ pub(crate) struct Search<'a, P> {
     claims: Vec<Claim>,
     /// The claims on each function.
     by_function: Vec<Vec<usize>>,
+    /// By claim, what the last evaluation says.
+    outcomes: Vec<Outcome>,
     /// Claims that are neither proven nor known to be false.
     open: Vec<bool>,
+    /// Where each claim was tried last, and the parameters there that it depends on.
+    tried: Vec<Option<(usize, u64)>>,
     proven: Vec<usize>,
 }
 
@@ -41,39 +58,49 @@ impl<'a, P: Precision> Search<'a, P> {
         for (index, claim) in claims.iter().enumerate() {
             by_function[claim.function].push(index);
         }
-        let open = vec![true; claims.len()];
-        Self { layout, evaluator: Evaluator::new(layout), claims, by_function, open, proven: Vec::new() }
+        let count = claims.len();
+        Self {
+            layout,
+            evaluator: Evaluator::new(layout),
+            claims,
+            by_function,
+            outcomes: vec![UNKNOWN; count],
+            open: vec![true; count],
+            tried: vec![None; count],
+            proven: Vec::new(),
+        }
     }
 
     /// The claims that hold for all inputs within their ranges.
     pub fn run(mut self, inputs: &[Input]) -> Vec<Claim> {
         let body = self.layout.body();
-        let whole: Parameters<P> = inputs.iter().flat_map(input_range).collect();
+        let whole: Parameters<P> = inputs.iter().flat_map(Input::range).collect();
         // What fails at inputs that may come is false.
-        for point in points(&whole) {
-            let failing = self.failing(body, &point);
-            failing.into_iter().for_each(|claim| self.open[claim] = false);
-        }
-        let ranges = self.parameter_ranges(whole);
-        for root in 0..self.layout.frames.len() {
-            if let Some(parameters) = &ranges[root] {
-                self.prove(root, parameters);
+        for point in points(&whole, self.point_count(body)) {
+            self.evaluate(body, &point);
+            for (open, outcome) in self.open.iter_mut().zip(&self.outcomes) {
+                *open &= !outcome.fails;
             }
         }
-        let proven: Vec<Claim> = self.proven.iter().map(|&index| self.claims[index].clone()).collect();
-        proven
+        for (root, parameters) in self.parameter_ranges(whole).into_iter().enumerate() {
+            if let Some(parameters) = parameters {
+                self.prove(root, &parameters);
+            }
+        }
+        self.proven.iter().map(|&index| self.claims[index].clone()).collect()
+    }
+
+    fn point_count(&self, root: usize) -> usize {
+        (EFFORT / POINT_SHARE / self.layout.frames[root].cost.max(1)).clamp(1, MOST_POINTS)
     }
 
     /// The ranges that the parameters of each function take; none where a function is not called.
     fn parameter_ranges(&mut self, whole: Parameters<P>) -> Vec<Option<Parameters<P>>> {
-        let body = self.layout.body();
-        let mut ranges: Vec<Option<Parameters<P>>> = vec![None; body + 1];
+        let layout = self.layout;
+        let mut ranges: Vec<Option<Parameters<P>>> = vec![None; layout.frames.len()];
         for part in halved(whole, RANGE_BOXES) {
-            let layout = self.layout;
-            self.evaluator.run(body, &part, &mut |function, slots| {
-                let parameters = layout.frames[function].parameters.iter();
-                let values =
-                    parameters.flat_map(|&(at, width)| (0..width).map(move |index| slots[at.component(index)]));
+            self.evaluator.run(layout.body(), &part, &mut |function, slots| {
+                let values = layout.parameter_slots(function).map(|slot| slots[slot]);
                 match &mut ranges[function] {
                     Some(known) => known.iter_mut().zip(values).for_each(|(known, value)| *known = known.hull(value)),
                     none => *none = Some(values.collect()),
@@ -83,31 +110,19 @@ impl<'a, P: Precision> Search<'a, P> {
         ranges
     }
 
-    /// The open claims that do not follow where the parameters of a function are within these ranges.
-    fn failing(&mut self, root: usize, parameters: &[Interval<P>]) -> Vec<usize> {
-        let mut failing = Vec::new();
-        let Self { evaluator, by_function, claims, open, .. } = self;
+    /// What follows where the parameters of a function are within these ranges.
+    fn evaluate(&mut self, root: usize, parameters: &[Interval<P>]) {
+        self.outcomes.fill(UNKNOWN);
+        let Self { evaluator, by_function, claims, open, outcomes, .. } = self;
         evaluator.run(root, parameters, &mut |function, slots| {
-            for &index in &by_function[function] {
-                if open[index] && !holds(&claims[index], slots) && !failing.contains(&index) {
-                    failing.push(index);
-                }
-            }
-        });
-        failing
-    }
-
-    /// Widens the bounds of the subjects of claims by the last evaluation from a function.
-    fn record(&mut self, root: usize, parameters: &[Interval<P>], holding: &[usize]) {
-        let Self { evaluator, claims, .. } = self;
-        evaluator.run(root, parameters, &mut |function, slots| {
-            for &index in holding {
-                let claim = &mut claims[index];
-                if claim.function == function {
-                    for component in 0..claim.width {
-                        let subject = slots[claim.subject.component(component)];
-                        claim.bounds = [claim.bounds[0].min(subject.low()), claim.bounds[1].max(subject.high())];
-                    }
+            for &index in by_function[function].iter().filter(|&&index| open[index]) {
+                let (claim, outcome) = (&claims[index], &mut outcomes[index]);
+                for component in 0..claim.width {
+                    let at = |value: super::layout::Slots| slots[value.component(component)];
+                    let (left, right, subject) = (at(claim.left), at(claim.right), at(claim.subject));
+                    outcome.follows &= left.is_at_least(right);
+                    outcome.fails |= left.is_below(right);
+                    outcome.bounds = [outcome.bounds[0].min(subject.low()), outcome.bounds[1].max(subject.high())];
                 }
             }
         });
@@ -115,54 +130,72 @@ impl<'a, P: Precision> Search<'a, P> {
 
     /// Tries to prove all open claims that only this function leads to, over the ranges of its parameters.
     fn prove(&mut self, root: usize, parameters: &[Interval<P>]) {
-        let led_to = only_through(self.layout, root);
-        let candidates: Vec<usize> =
-            (0..self.claims.len()).filter(|&index| self.open[index] && led_to[self.claims[index].function]).collect();
-        if candidates.is_empty() {
-            return;
+        let mut candidates = self.candidates(root, parameters.len());
+        for point in points(parameters, self.point_count(root)) {
+            if candidates.is_empty() {
+                return;
+            }
+            self.evaluate(root, &point);
+            candidates.retain(|&claim| self.outcomes[claim].follows);
         }
-        let depends_on = self.dependence(root, parameters.len());
         let limit = (EFFORT / self.layout.frames[root].cost.max(1)).clamp(1, MOST_BOXES);
-        let mut left: Vec<bool> = self.open.clone();
-        let mut pieces: Vec<(usize, Parameters<P>, Vec<usize>)> = Vec::new();
+        let mut given_up = vec![false; self.claims.len()];
+        let mut pieces: Vec<(usize, [f64; 2])> = Vec::new();
         let mut level = vec![(parameters.to_vec(), candidates.clone())];
         let mut evaluations = 0;
         while !level.is_empty() {
             let mut next = Vec::new();
             for (part, mut claims) in level {
-                claims.retain(|&claim| left[claim]);
+                claims.retain(|&claim| !given_up[claim]);
                 if claims.is_empty() {
                     continue;
                 }
                 evaluations += 1;
-                let failing = self.failing(root, &part);
-                let (failing, holding): (Vec<usize>, Vec<usize>) =
-                    claims.into_iter().partition(|claim| failing.contains(claim));
-                let masks = failing.iter().fold(0, |masks, &claim| masks | depends_on[claim]);
-                match widest(&part, parameters, masks) {
-                    _ if failing.is_empty() => {}
+                self.evaluate(root, &part);
+                let (following, rest): (Vec<usize>, Vec<usize>) =
+                    claims.into_iter().partition(|&claim| self.outcomes[claim].follows);
+                pieces.extend(following.into_iter().map(|claim| (claim, self.outcomes[claim].bounds)));
+                let mask = rest.iter().filter_map(|&claim| self.tried[claim]).fold(0, |all, (_, mask)| all | mask);
+                match widest(&part, parameters, mask) {
+                    _ if rest.is_empty() => {}
                     Some(dimension) if evaluations + next.len() < limit => {
                         let [lower, upper] = halves(&part, dimension);
-                        next.push((lower, failing.clone()));
-                        next.push((upper, failing));
+                        next.push((lower, rest.clone()));
+                        next.push((upper, rest));
                     }
-                    _ => failing.iter().for_each(|&claim| left[claim] = false),
-                }
-                if !holding.is_empty() {
-                    pieces.push((root, part, holding));
+                    _ => rest.iter().for_each(|&claim| given_up[claim] = true),
                 }
             }
             level = next;
         }
-        let proven: Vec<usize> = candidates.into_iter().filter(|&claim| left[claim]).collect();
-        for (root, part, mut holding) in pieces {
-            holding.retain(|&claim| left[claim]);
-            if !holding.is_empty() {
-                self.record(root, &part, &holding);
+        for (claim, [low, high]) in pieces {
+            let bounds = &mut self.claims[claim].bounds;
+            if !given_up[claim] {
+                *bounds = [bounds[0].min(low), bounds[1].max(high)];
             }
         }
-        proven.iter().for_each(|&claim| self.open[claim] = false);
-        self.proven.extend(proven);
+        for claim in candidates.into_iter().filter(|&claim| !given_up[claim]) {
+            self.open[claim] = false;
+            self.proven.push(claim);
+        }
+    }
+
+    /// The open claims that only this function leads to, but not those that were tried in a function to which this one
+    /// just passes its parameters on: they would come out the same.
+    fn candidates(&mut self, root: usize, parameters: usize) -> Vec<usize> {
+        let led_to = only_through(self.layout, root);
+        let mut candidates: Vec<usize> =
+            (0..self.claims.len()).filter(|&index| self.open[index] && led_to[self.claims[index].function]).collect();
+        if candidates.is_empty() {
+            return candidates;
+        }
+        let computed = self.computed_parameters(root, parameters);
+        let depends_on = self.dependence(root, parameters);
+        candidates.retain(|&claim| {
+            let tried = self.tried[claim].replace((root, depends_on[claim]));
+            tried.is_none_or(|(function, mask)| computed[function] & mask != 0)
+        });
+        candidates
     }
 
     /// For each claim, the parameters of the function that it depends on, a bit each. Beyond 64, bits are shared.
@@ -180,24 +213,33 @@ impl<'a, P: Precision> Search<'a, P> {
         });
         depends_on
     }
-}
 
-fn holds<P: Precision>(claim: &Claim, slots: &[Interval<P>]) -> bool {
-    (0..claim.width).all(|index| slots[claim.left.component(index)].is_at_least(slots[claim.right.component(index)]))
-}
-
-fn input_range<P: Precision>(input: &Input) -> Vec<Interval<P>> {
-    vec![Interval::new(input.low, input.high); input.components()]
+    /// For each function below this one, its parameters that are not just one parameter of this one in all calls.
+    fn computed_parameters(&self, root: usize, parameters: usize) -> Vec<u64> {
+        let layout = self.layout;
+        let mut computed = vec![0; layout.frames.len()];
+        let mut first: Vec<Option<Vec<Origin>>> = vec![None; layout.frames.len()];
+        let origins: Vec<Origin> = (0..parameters).map(Origin::Parameter).collect();
+        Evaluator::<Origin>::new(layout).run(root, &origins, &mut |function, slots| {
+            let found: Vec<Origin> = layout.parameter_slots(function).map(|slot| slots[slot]).collect();
+            let known = first[function].get_or_insert_with(|| found.clone());
+            for (index, (known, found)) in known.iter().zip(&found).enumerate() {
+                if *found == Origin::Computed || known != found {
+                    computed[function] |= 1 << (index % 64);
+                }
+            }
+        });
+        computed
+    }
 }
 
 /// For each function, whether each way to it from the body leads through this one.
 fn only_through(layout: &Layout<'_>, through: usize) -> Vec<bool> {
     let mut elsewhere = vec![false; layout.frames.len()];
-    if through != layout.body() {
-        elsewhere[layout.body()] = true;
-    }
     let mut inside = vec![false; layout.frames.len()];
+    elsewhere[layout.body()] = true;
     inside[through] = true;
+    elsewhere[through] = false;
     for function in (0..layout.frames.len()).rev() {
         for &callee in &layout.frames[function].callees {
             inside[callee] |= inside[function];
@@ -205,50 +247,4 @@ fn only_through(layout: &Layout<'_>, through: usize) -> Vec<bool> {
         }
     }
     inside.into_iter().zip(elsewhere).map(|(inside, elsewhere)| inside && !elsewhere).collect()
-}
-
-/// The parameter of which the most of its range is left, among those in a mask.
-fn widest<P: Precision>(part: &[Interval<P>], whole: &[Interval<P>], mask: u64) -> Option<usize> {
-    let share = |index: usize| (part[index].high() - part[index].low()) / (whole[index].high() - whole[index].low());
-    let wide = (0..part.len()).filter(|&index| mask & (1 << (index % 64)) != 0).filter(|&index| share(index) > 1e-6);
-    wide.max_by(|&a, &b| share(a).total_cmp(&share(b)).then(b.cmp(&a)))
-}
-
-/// Both halves of a box along one parameter.
-fn halves<P: Precision>(part: &[Interval<P>], dimension: usize) -> [Parameters<P>; 2] {
-    part[dimension].halves().map(|half| {
-        let mut part = part.to_vec();
-        part[dimension] = half;
-        part
-    })
-}
-
-/// A box halved along its widest parameters in turn.
-pub(super) fn halved<P: Precision>(whole: Parameters<P>, most: usize) -> Vec<Parameters<P>> {
-    let mut parts = vec![whole.clone()];
-    while parts.len() * 2 <= most {
-        let Some(dimension) = widest(&parts[0], &whole, u64::MAX) else { break };
-        parts = parts.iter().flat_map(|part| halves(part, dimension)).collect();
-    }
-    parts
-}
-
-/// Corners of a box and points spread within.
-fn points<P: Precision>(whole: &[Interval<P>]) -> Vec<Parameters<P>> {
-    let at = |fraction: f64, range: &Interval<P>| {
-        let value = range.low() + (range.high() - range.low()) * fraction;
-        Interval::point(value.clamp(range.low(), range.high()))
-    };
-    let bits = whole.len().min(5);
-    let corners = (0..1_u32 << bits).map(|corner| {
-        let of = |(index, range)| at(f64::from(corner >> (index % bits.max(1)) & 1), range);
-        whole.iter().enumerate().map(of).collect()
-    });
-    // Multiples of the golden ratio, another power of it for each parameter.
-    const GOLDEN: f64 = 0.618_033_988_749_894_9;
-    let spread = (1..=POINTS).map(|number| {
-        let of = |(index, range)| at((number as f64 * (index as f64 + 1.0).sqrt() * GOLDEN).fract(), range);
-        whole.iter().enumerate().map(of).collect()
-    });
-    corners.chain(spread).collect()
 }

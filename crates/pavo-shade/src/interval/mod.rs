@@ -70,6 +70,11 @@ impl<P: Precision> Interval<P> {
         self.defined && other.defined && self.low >= other.high
     }
 
+    /// Whether all that it may be is below all that the other may be, both being numbers.
+    pub fn is_below(self, other: Self) -> bool {
+        self.defined && other.defined && self.high < other.low
+    }
+
     /// The smallest interval around both.
     pub fn hull(self, other: Self) -> Self {
         Self {
@@ -84,6 +89,12 @@ impl<P: Precision> Interval<P> {
     pub(crate) fn halves(self) -> [Self; 2] {
         let middle = f64::midpoint(self.low, self.high);
         [Self { high: middle, ..self }, Self { low: middle, ..self }]
+    }
+
+    /// The number at a fraction of the way from the lower to the upper bound, or all where there is none.
+    pub(crate) fn point_within(self, fraction: f64) -> Self {
+        let value = (self.low + (self.high - self.low) * fraction).clamp(self.low, self.high);
+        if value.is_finite() { Self { defined: self.defined, ..Self::point(value) } } else { self }
     }
 
     /// Bounds that were computed to the nearest `f64`, widened by an error relative to them. What was not below 0 or
