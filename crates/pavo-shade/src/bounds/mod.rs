@@ -8,14 +8,15 @@ mod search;
 
 pub(crate) use claims::{Claim, Fact};
 
+use crate::graph::{Node, Type};
 use crate::interval::{Interval, Precision};
-use crate::program::Program;
+use crate::program::{Definition, Program};
 use boxes::halved;
 use evaluator::Evaluator;
 use layout::{Layout, width};
 use search::Search;
 
-/// The bounds of each node of a function, by component; none of nodes that only stand for the results of a call.
+/// The bounds of each node of a function, by component; a node that stands for all results of a call may be anything.
 pub type FunctionBounds<P> = Vec<[Interval<P>; 3]>;
 
 /// The bounds of a program's values, over all calls of each function.
@@ -39,7 +40,7 @@ pub fn bounds<P: Precision>(program: &Program, parts: usize) -> Bounds<P> {
         evaluator.run(layout.body(), &part, &mut |function, slots| {
             let frame = &layout.frames[function];
             let nodes = frame.nodes.iter().zip(&layout.definitions[function].nodes);
-            for (at, node) in nodes {
+            for (at, node) in nodes.filter(|(_, node)| node.ty != Type::Results) {
                 for slot in (0..width(node.ty)).map(|component| at.component(component)) {
                     joined[slot] = Some(joined[slot].map_or(slots[slot], |known| known.hull(slots[slot])));
                 }
@@ -50,9 +51,16 @@ pub fn bounds<P: Precision>(program: &Program, parts: usize) -> Bounds<P> {
     let at = |slot: usize| joined[slot].unwrap_or(evaluator.slots[slot]);
     let value = |slots: layout::Slots| [0, 1, 2].map(|component| at(slots.component(component)));
     let body = layout.body();
-    let functions = layout.frames.iter().map(|frame| frame.nodes.iter().map(|&slots| value(slots)).collect());
+    let of_function = |(frame, definition): (&layout::Frame, &&Definition)| {
+        let nodes = frame.nodes.iter().zip(&definition.nodes);
+        let of_node = |(&slots, node): (&layout::Slots, &Node)| match node.ty {
+            Type::Results => [Interval::anything(); 3],
+            _ => value(slots),
+        };
+        nodes.map(of_node).collect()
+    };
     Bounds {
-        functions: functions.collect(),
+        functions: layout.frames.iter().zip(&layout.definitions).map(of_function).collect(),
         outputs: layout.frames[body].results.iter().map(|&slots| value(slots)).collect(),
     }
 }

@@ -6,16 +6,18 @@
 //! tried, the innermost first, over the ranges that its parameters take in the whole program.
 
 use super::boxes::{Parameters, halved, halves, points, widest};
-use super::claims::{Claim, claims};
+use super::claims::{Claim, NOTHING, claims, joined};
 use super::evaluator::{Evaluator, Origin};
-use super::layout::Layout;
+use super::layout::{Layout, Slots};
 use crate::function::Input;
 use crate::interval::{Interval, Precision};
 
-/// How many numbers are computed at most for one function, in thousands of those of one evaluation.
+/// How many numbers are computed at most in the boxes of one function.
 const EFFORT: usize = 160_000;
 /// How many boxes are evaluated at most for one function.
 const MOST_BOXES: usize = 768;
+/// Among how many parameters boxes are halved at most where each is to be halved more than once.
+const MOST_HALVED: u32 = 6;
 /// How many boxes the inputs are halved into to find the ranges of the parameters.
 const RANGE_BOXES: usize = 16;
 /// The share of the effort that goes to single points, to find exceptions to a claim.
@@ -34,7 +36,7 @@ struct Outcome {
     bounds: [f64; 2],
 }
 
-const UNKNOWN: Outcome = Outcome { follows: true, fails: false, bounds: [f64::INFINITY, f64::NEG_INFINITY] };
+const UNKNOWN: Outcome = Outcome { follows: true, fails: false, bounds: NOTHING };
 
 pub(crate) struct Search<'a, P> {
     layout: &'a Layout<'a>,
@@ -44,6 +46,8 @@ pub(crate) struct Search<'a, P> {
     by_function: Vec<Vec<usize>>,
     /// By claim, what the last evaluation says.
     outcomes: Vec<Outcome>,
+    /// By claim, the bounds of its subject over the boxes of the inputs.
+    spans: Vec<[f64; 2]>,
     /// Claims that are neither proven nor known to be false.
     open: Vec<bool>,
     /// Where each claim was tried last, and the parameters there that it depends on.
@@ -65,6 +69,7 @@ impl<'a, P: Precision> Search<'a, P> {
             claims,
             by_function,
             outcomes: vec![UNKNOWN; count],
+            spans: vec![NOTHING; count],
             open: vec![true; count],
             tried: vec![None; count],
             proven: Vec::new(),
@@ -96,10 +101,13 @@ impl<'a, P: Precision> Search<'a, P> {
 
     /// The ranges that the parameters of each function take; none where a function is not called.
     fn parameter_ranges(&mut self, whole: Parameters<P>) -> Vec<Option<Parameters<P>>> {
-        let layout = self.layout;
+        let Self { layout, evaluator, by_function, claims, spans, .. } = self;
         let mut ranges: Vec<Option<Parameters<P>>> = vec![None; layout.frames.len()];
         for part in halved(whole, RANGE_BOXES) {
-            self.evaluator.run(layout.body(), &part, &mut |function, slots| {
+            evaluator.run(layout.body(), &part, &mut |function, slots| {
+                for &index in &by_function[function] {
+                    spans[index] = joined(spans[index], claims[index].subject_bounds(slots));
+                }
                 let values = layout.parameter_slots(function).map(|slot| slots[slot]);
                 match &mut ranges[function] {
                     Some(known) => known.iter_mut().zip(values).for_each(|(known, value)| *known = known.hull(value)),
@@ -118,12 +126,13 @@ impl<'a, P: Precision> Search<'a, P> {
             for &index in by_function[function].iter().filter(|&&index| open[index]) {
                 let (claim, outcome) = (&claims[index], &mut outcomes[index]);
                 for component in 0..claim.width {
-                    let at = |value: super::layout::Slots| slots[value.component(component)];
-                    let (left, right, subject) = (at(claim.left), at(claim.right), at(claim.subject));
-                    outcome.follows &= left.is_at_least(right);
-                    outcome.fails |= left.is_below(right);
-                    outcome.bounds = [outcome.bounds[0].min(subject.low()), outcome.bounds[1].max(subject.high())];
+                    let at = |value: Slots| slots[value.component(component)];
+                    for [left, right] in claim.pairs.iter().map(|pair| pair.map(at)) {
+                        outcome.follows &= left.is_at_least(right);
+                        outcome.fails |= left.is_below(right);
+                    }
                 }
+                outcome.bounds = joined(outcome.bounds, claim.subject_bounds(slots));
             }
         });
     }
@@ -138,7 +147,10 @@ impl<'a, P: Precision> Search<'a, P> {
             self.evaluate(root, &point);
             candidates.retain(|&claim| self.outcomes[claim].follows);
         }
-        let limit = (EFFORT / self.layout.frames[root].cost.max(1)).clamp(1, MOST_BOXES);
+        // Where a claim depends on many parameters, no number of boxes that can be afforded halves them all often.
+        let depends_on = candidates.iter().filter_map(|&claim| self.tried[claim]).fold(0, |all, (_, mask)| all | mask);
+        let most = if depends_on.count_ones() > MOST_HALVED { 1 << MOST_HALVED } else { MOST_BOXES };
+        let limit = (EFFORT / self.layout.frames[root].cost.max(1)).clamp(1, most);
         let mut given_up = vec![false; self.claims.len()];
         let mut pieces: Vec<(usize, [f64; 2])> = Vec::new();
         let mut level = vec![(parameters.to_vec(), candidates.clone())];
@@ -168,13 +180,16 @@ impl<'a, P: Precision> Search<'a, P> {
             }
             level = next;
         }
-        for (claim, [low, high]) in pieces {
-            let bounds = &mut self.claims[claim].bounds;
+        for (claim, piece) in pieces {
             if !given_up[claim] {
-                *bounds = [bounds[0].min(low), bounds[1].max(high)];
+                let bounds = &mut self.claims[claim].bounds;
+                *bounds = joined(*bounds, piece);
             }
         }
         for claim in candidates.into_iter().filter(|&claim| !given_up[claim]) {
+            // Both bound the subject: by the parameters of this function, and by the inputs.
+            let ([low, high], [span_low, span_high]) = (self.claims[claim].bounds, self.spans[claim]);
+            self.claims[claim].bounds = [low.max(span_low), high.min(span_high)];
             self.open[claim] = false;
             self.proven.push(claim);
         }
@@ -206,8 +221,8 @@ impl<'a, P: Precision> Search<'a, P> {
             for &index in &self.by_function[function] {
                 let claim = &self.claims[index];
                 for component in 0..claim.width {
-                    depends_on[index] |=
-                        slots[claim.left.component(component)] | slots[claim.right.component(component)];
+                    let bits = claim.pairs.iter().flatten().map(|value| slots[value.component(component)]);
+                    depends_on[index] |= bits.fold(0, |all, bits| all | bits);
                 }
             }
         });
