@@ -4,8 +4,8 @@ mod common;
 mod random;
 
 use common::{scalars, vector};
-use pavo_shade::interval::{Double, Precision, Single};
-use pavo_shade::{Bounds, Expr, Graph, Input, Program, Rate, Real, bounds, interpret, specialise};
+use pavo_shade::interval::{Double, Interval, IntervalVec3, Precision, Single};
+use pavo_shade::{Bounds, Expr, Graph, Input, Program, Rate, Real, Scalar, Vector, bounds, interpret, specialise};
 use proptest::prelude::*;
 use proptest::test_runner::{Config, RngAlgorithm, TestRng, TestRunner};
 use random::{Step, Values, program};
@@ -57,6 +57,34 @@ fn bounds_of_random_programs_enclose_their_values() {
     });
 }
 
+/// All numbers of a random program's values.
+fn numbers<S: Scalar>(values: Values<S>) -> Vec<S> {
+    values.numbers.into_iter().chain(values.vectors.into_iter().flat_map(|v| [v.x(), v.y(), v.z()])).collect()
+}
+
+#[test]
+fn a_function_that_runs_on_intervals_encloses_what_it_gives_on_numbers() {
+    check_random(2000, |steps, points| {
+        let range = |middle: f64| Interval::<Single>::new(middle - 0.125, middle + 0.125);
+        for [x, y, vector @ ..] in points {
+            let intervals = Values::new(range(x), range(y), IntervalVec3(vector.map(range))).run(&steps);
+            let bounds = numbers(intervals);
+            for shift in [-0.125, 0.0, 0.125] {
+                let [x, y, vector] = [[x; 3], [y; 3], vector].map(|values| values.map(|value| value + shift));
+                let (x, y) = (x[0], y[0]);
+                let in_f64 = numbers(Values::<f64>::new(x, y, vector.into()).run(&steps));
+                let vector = vector.map(|value| value as f32);
+                let in_f32 = numbers(Values::<f32>::new(x as f32, y as f32, vector.into()).run(&steps));
+                for ((bounds, in_f64), in_f32) in bounds.iter().zip(in_f64).zip(in_f32) {
+                    prop_assert!(bounds.contains(in_f64), "{:e} is outside of {:?}", in_f64, bounds);
+                    prop_assert!(bounds.contains(f64::from(in_f32)), "{:e} is outside of {:?}", in_f32, bounds);
+                }
+            }
+        }
+        Ok(())
+    });
+}
+
 #[test]
 fn random_programs_compute_the_same_without_their_unnecessary_guards() {
     check_random(2000, |steps, points| {
@@ -74,6 +102,14 @@ fn random_programs_compute_the_same_without_their_unnecessary_guards() {
             let found = interpret::evaluate(&specialised, &taken(point));
             for (found, expected) in found.iter().flatten().zip(expected.iter().flatten()) {
                 prop_assert!(common::same_number(*found, *expected), "{:e} instead of {:e}", found, expected);
+            }
+            let round = |value| f64::from(value as f32);
+            let expected = interpret::evaluate_rounded(&program, &point, round);
+            let found = interpret::evaluate_rounded(&specialised, &taken(point), round);
+            for (found, expected) in found.iter().flatten().zip(expected.iter().flatten()) {
+                // Literals that only meet now are combined in f64.
+                let near = (found - expected).abs() <= 1e-5 * (1.0 + expected.abs());
+                prop_assert!(near || !expected.is_finite(), "in f32 {:e} instead of {:e}", found, expected);
             }
         }
         Ok(())

@@ -109,8 +109,9 @@ fn name(program: &Program, definition: &Definition, index: u32, depth: usize) ->
     }
 }
 
+/// A number with the digits that `f32` tells apart.
 fn number(value: f64) -> String {
-    let text = format!("{value:?}");
+    let text = format!("{:?}", value as f32);
     text.strip_suffix(".0").map(str::to_owned).unwrap_or(text)
 }
 
