@@ -54,6 +54,9 @@
 //! - Folding is exact: literals are combined in `f64`, and `x + 0`, `x * 1`, `x * 0` (values are taken to be finite),
 //!   `x - x`, `-(-x)` and a selection by a known mask disappear. Nothing else is rewritten: no reassociation, no
 //!   multiplication by a reciprocal in place of a division.
+//! - A guard (`max`, `min`, `clamp`, `abs`, a comparison) is written where the formula needs one; [`specialise`] leaves
+//!   out those that never act within the ranges of the inputs, and [`bounds`] says what the values are within. On
+//!   [`interval::Interval`] a function gives bounds of its results.
 
 mod bounds;
 mod expr;

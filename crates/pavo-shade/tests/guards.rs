@@ -132,6 +132,12 @@ fn guarded_root<R: Real>(x: R, offset: R) -> R {
     (x + offset).max(0.0).sqrt()
 }
 
+/// A way to the root that needs no guard where both numbers are positive.
+#[shade]
+fn scaled_root<R: Real>(x: R, offset: R) -> R {
+    guarded_root(x * 0.25, offset * 0.5)
+}
+
 /// One more way to the root.
 #[shade]
 fn quarter<S: Scalar>(x: S) -> S {
@@ -145,6 +151,21 @@ fn a_function_loses_a_guard_that_no_call_of_it_needs() {
     let one = specialise(&program(|i| guarded_root(i.index, i.cosine) + guarded_root(i.signed, i.cosine)));
     assert_eq!(functions(&one.program), ["guarded_root(x, offset) = sqrt(max((x + offset), 0))"]);
     assert_eq!(one.left_out, []);
+}
+
+#[test]
+fn a_guard_that_one_way_to_it_needs_is_kept_on_all() {
+    let [scaled, guarded, bare] = [
+        "scaled_root(x, offset) = guarded_root((x * 0.25), (offset * 0.5))",
+        "guarded_root(x, offset) = sqrt(max((x + offset), 0))",
+        "guarded_root(x, offset) = sqrt((x + offset))",
+    ];
+    let safe = specialise(&program(|i| scaled_root(i.index, i.cosine) + guarded_root(i.index, i.index)));
+    assert_eq!(functions(&safe.program), [bare, scaled]);
+    let unsafe_call = specialise(&program(|i| scaled_root(i.index, i.cosine) + guarded_root(i.signed, i.signed)));
+    assert_eq!(functions(&unsafe_call.program), [guarded, scaled]);
+    let unsafe_way = specialise(&program(|i| scaled_root(i.index, i.signed) + guarded_root(i.index, i.cosine)));
+    assert_eq!(functions(&unsafe_way.program), [guarded, scaled]);
 }
 
 #[test]
