@@ -169,6 +169,27 @@ fn a_guard_that_one_way_to_it_needs_is_kept_on_all() {
 }
 
 #[test]
+fn a_guard_that_acts_in_a_narrow_place_is_kept() {
+    /// Below 0 near 0.31357 alone, where no point that is tried lies.
+    fn root_of_narrow<'g>(i: Inputs<'g>) -> Expr<'g> {
+        let distance = i.signed - lit(0.31357);
+        guarded_root(distance * distance, i.cosine * lit(1e-6) - lit(1e-6))
+    }
+    let guarded = "guarded_root(x, offset) = sqrt(max((x + offset), 0))";
+    let cases: [Computation; 4] = [
+        root_of_narrow,
+        |i| root_of_narrow(i) + guarded_root(i.index, i.cosine),
+        |i| guarded_root(i.index, i.cosine) + root_of_narrow(i),
+        |i| root_of_narrow(i) + scaled_root(i.index, i.cosine),
+    ];
+    for (number, computation) in cases.into_iter().enumerate() {
+        let specialised = specialise(&program(computation));
+        assert!(functions(&specialised.program).contains(&guarded.to_owned()), "case {number}");
+        assert_eq!(specialised.left_out, [], "case {number}");
+    }
+}
+
+#[test]
 fn an_argument_that_becomes_literal_is_folded_into_the_function() {
     let found = specialise(&program(|i| guarded_root(i.index, i.negative.max(lit(0.0))) + quarter(i.cosine)));
     assert_eq!(
