@@ -62,10 +62,13 @@ fn without_their_unnecessary_guards_the_starter_scenes_compute_the_same_bits() {
     }
 }
 
+/// A function and a guard in it.
+type Row = (&'static str, &'static str);
+
 #[test]
 fn the_guards_that_a_scene_needs_not_are_listed() {
     let film = "surface_reflectance";
-    let cases: [(&str, &str, &[(&str, &str)]); 3] = [
+    let cases: [(&str, &str, &[Row]); 3] = [
         // The denominators of a film between two equal media vanish at grazing angles: their guards stay.
         ("soap-bubble", "spectral:n=16", &[(film, "max(0.7689 + q3_squared, 1e-12)")]),
         (
