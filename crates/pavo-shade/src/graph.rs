@@ -5,7 +5,7 @@ use crate::function::{FunctionInfo, Input};
 use crate::program::Program;
 use crate::table::Table;
 use crate::value::LeafInfo;
-use std::cell::RefCell;
+use std::cell::{Cell, RefCell};
 use std::collections::HashMap;
 use std::panic::Location;
 
@@ -130,13 +130,14 @@ pub(crate) enum Leaf {
 pub(crate) struct FunctionParameter {
     pub leaf: LeafInfo,
     pub ty: Type,
-    /// Which parameter of the Rust function it belongs to.
-    pub whole: usize,
+    /// Where it is part of a struct: the name and the meaning of the whole.
+    pub whole: Option<(String, String)>,
 }
 
 /// One instance of a function, specialised on its literal arguments.
 pub(crate) struct Function {
-    pub info: Option<&'static FunctionInfo>,
+    pub name: String,
+    pub doc: Vec<String>,
     /// A parameter for each argument that is not literal.
     pub parameters: Vec<FunctionParameter>,
     pub nodes: Vec<Node>,
@@ -144,13 +145,14 @@ pub(crate) struct Function {
     pub calls: Vec<Vec<u32>>,
     pub interned_calls: HashMap<(u32, Vec<u32>), u32>,
     pub results: Vec<(LeafInfo, Leaf)>,
-    pub result_type: Option<&'static str>,
+    pub result_type: Option<String>,
 }
 
 impl Function {
-    fn new(info: Option<&'static FunctionInfo>) -> Self {
+    fn new(name: &str, doc: Vec<String>) -> Self {
         Self {
-            info,
+            name: name.to_owned(),
+            doc,
             parameters: Vec::new(),
             nodes: Vec::new(),
             interned: HashMap::new(),
@@ -190,6 +192,8 @@ pub(crate) struct State {
 /// A graph under construction: inputs, a computation, outputs.
 pub struct Graph {
     pub(crate) state: RefCell<State>,
+    /// Where the nodes that are recorded were written, if not where the caller stands.
+    origin: Cell<Option<&'static Location<'static>>>,
 }
 
 impl Default for Graph {
@@ -202,14 +206,14 @@ impl Graph {
     /// An empty graph.
     pub fn new() -> Self {
         let state = State {
-            functions: vec![Function::new(None)],
+            functions: vec![Function::new("evaluate", Vec::new())],
             inputs: Vec::new(),
             outputs: Vec::new(),
             tables: Vec::new(),
             instances: HashMap::new(),
             open: vec![0],
         };
-        Self { state: RefCell::new(state) }
+        Self { state: RefCell::new(state), origin: Cell::new(None) }
     }
 
     /// Declares a run-time input.
@@ -252,7 +256,13 @@ impl Graph {
         self.node_at(op, ty, Location::caller())
     }
 
+    /// From here on, nodes carry this location: a program is recorded again.
+    pub(crate) fn set_origin(&self, location: &'static Location<'static>) {
+        self.origin.set(Some(location));
+    }
+
     fn node_at(&self, op: Op, ty: Type, location: &'static Location<'static>) -> Expr<'_> {
+        let location = self.origin.get().unwrap_or(location);
         let mut state = self.state.borrow_mut();
         let function = *state.open.last().expect("the outermost function is always open");
         let body = &mut state.functions[function as usize];
@@ -349,16 +359,27 @@ impl Graph {
         let function = match known {
             Some(function) => function,
             None => {
-                let function = self.open(info);
+                let function = self.open(info.name, info.doc.iter().map(|line| (*line).to_owned()).collect());
                 let mut inside: Vec<Expr<'g>> = Vec::new();
+                let kept: Vec<usize> = parameters
+                    .iter()
+                    .zip(&keys)
+                    .filter(|(_, key)| key.is_none())
+                    .map(|((whole, _), _)| *whole)
+                    .collect();
                 for ((argument, key), (whole, leaf)) in arguments.iter().zip(&keys).zip(parameters) {
                     inside.push(match key {
                         Some(_) => *argument,
-                        None => self.parameter(function, FunctionParameter { leaf, ty: argument.ty(), whole }),
+                        None => {
+                            let is_part = kept.iter().filter(|&&other| other == whole).count() > 1;
+                            let info = &info.parameters[whole];
+                            let whole = is_part.then(|| (info.name.to_owned(), info.doc.to_owned()));
+                            self.parameter(function, FunctionParameter { leaf, ty: argument.ty(), whole })
+                        }
                     });
                 }
                 let returned = body(inside);
-                self.close(function, returned, results, result_type);
+                self.close(function, returned, results, result_type.map(str::to_owned));
                 self.state.borrow_mut().instances.insert(instance, function);
                 function
             }
@@ -366,16 +387,18 @@ impl Graph {
         self.results(function, passed)
     }
 
-    fn open(&self, info: &'static FunctionInfo) -> u32 {
+    /// Starts a function; what is recorded until it is closed belongs to it.
+    pub(crate) fn open(&self, name: &str, doc: Vec<String>) -> u32 {
         let mut state = self.state.borrow_mut();
-        state.functions.push(Function::new(Some(info)));
+        state.functions.push(Function::new(name, doc));
         let function = state.functions.len() as u32 - 1;
         state.open.push(function);
         function
     }
 
+    /// Declares a parameter of the function that is open.
     #[track_caller]
-    fn parameter(&self, function: u32, parameter: FunctionParameter) -> Expr<'_> {
+    pub(crate) fn parameter(&self, function: u32, parameter: FunctionParameter) -> Expr<'_> {
         let ty = parameter.ty;
         let index = {
             let mut state = self.state.borrow_mut();
@@ -386,7 +409,14 @@ impl Graph {
         self.node(Op::Parameter(index), ty)
     }
 
-    fn close(&self, function: u32, returned: Vec<Expr<'_>>, results: Vec<LeafInfo>, result_type: Option<&'static str>) {
+    /// Ends a function with what it returns.
+    pub(crate) fn close(
+        &self,
+        function: u32,
+        returned: Vec<Expr<'_>>,
+        results: Vec<LeafInfo>,
+        result_type: Option<String>,
+    ) {
         let leaves: Vec<Leaf> = returned.into_iter().map(|value| self.leaf(value)).collect();
         let mut state = self.state.borrow_mut();
         let recorded = &mut state.functions[function as usize];
@@ -402,7 +432,7 @@ impl Graph {
 
     /// The results of a call: literals and arguments that were passed through need no call.
     #[track_caller]
-    fn results(&self, function: u32, passed: Vec<u32>) -> Vec<Expr<'_>> {
+    pub(crate) fn results(&self, function: u32, passed: Vec<u32>) -> Vec<Expr<'_>> {
         let location = Location::caller();
         enum Shape {
             Literal(f64),

@@ -20,8 +20,16 @@ enum Computed {
 /// # Panics
 /// If the number of inputs is not [`Program::input_components`].
 pub fn evaluate(program: &Program, inputs: &[f64]) -> Vec<[f64; 3]> {
+    evaluate_rounded(program, inputs, |value| value)
+}
+
+/// The outputs of a program with each value of it rounded, as to the nearest `f32`.
+///
+/// # Panics
+/// If the number of inputs is not [`Program::input_components`].
+pub fn evaluate_rounded(program: &Program, inputs: &[f64], round: fn(f64) -> f64) -> Vec<[f64; 3]> {
     assert_eq!(inputs.len(), program.input_components(), "one number per component of each input");
-    let mut numbers = inputs.iter().copied();
+    let mut numbers = inputs.iter().copied().map(round);
     let mut next = || numbers.next().expect("counted above");
     let arguments = program
         .inputs()
@@ -31,10 +39,10 @@ pub fn evaluate(program: &Program, inputs: &[f64]) -> Vec<[f64; 3]> {
             _ => Computed::Scalar(next()),
         })
         .collect::<Vec<_>>();
-    run(program, program.body(), &arguments).iter().map(vec3).collect()
+    run(program, program.body(), &arguments, round).iter().map(vec3).collect()
 }
 
-fn run(program: &Program, function: &Definition, arguments: &[Computed]) -> Vec<Computed> {
+fn run(program: &Program, function: &Definition, arguments: &[Computed], round: fn(f64) -> f64) -> Vec<Computed> {
     let mut values: Vec<Computed> = Vec::new();
     for node in &function.nodes {
         let at = |index: u32| &values[index as usize];
@@ -89,14 +97,18 @@ fn run(program: &Program, function: &Definition, arguments: &[Computed]) -> Vec<
             Op::Call(callee, call) => {
                 let arguments: Vec<Computed> =
                     function.calls[call as usize].iter().map(|&index| at(index).clone()).collect();
-                Computed::Results(run(program, &program.functions()[callee as usize], &arguments))
+                Computed::Results(run(program, &program.functions()[callee as usize], &arguments, round))
             }
             Op::Result(call, index) => match at(call) {
                 Computed::Results(results) => results[index as usize].clone(),
                 _ => unreachable!("a result is of a call"),
             },
         };
-        values.push(value);
+        values.push(match value {
+            Computed::Scalar(value) => Computed::Scalar(round(value)),
+            Computed::Vec3(value) => Computed::Vec3(value.map(round)),
+            other => other,
+        });
     }
     let results = function.results.iter().map(|result| match result.value {
         ReturnValue::Literal(value) => Computed::Scalar(value),

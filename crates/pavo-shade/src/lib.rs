@@ -54,20 +54,27 @@
 //! - Folding is exact: literals are combined in `f64`, and `x + 0`, `x * 1`, `x * 0` (values are taken to be finite),
 //!   `x - x`, `-(-x)` and a selection by a known mask disappear. Nothing else is rewritten: no reassociation, no
 //!   multiplication by a reciprocal in place of a division.
+//! - A guard (`max`, `min`, `clamp`, `abs`, a comparison) is written where the formula needs one; [`specialise`] leaves
+//!   out those that never act within the ranges of the inputs, and [`bounds`] says what the values are within. On
+//!   [`interval::Interval`] a function gives bounds of its results.
 
+mod bounds;
 mod expr;
 mod fold;
 mod function;
 mod graph;
 pub mod interpret;
+pub mod interval;
 pub mod naming;
 mod native;
 mod operations;
 mod program;
 mod real;
+mod specialise;
 mod table;
 mod value;
 
+pub use bounds::{Bounds, FunctionBounds, bounds};
 pub use expr::{Expr, ExprMask};
 pub use function::{FunctionInfo, Input, ParameterInfo, Rate};
 pub use graph::{BinaryOp, Comparison, Graph, Node, NodeId, Op, Type, UnaryOp};
@@ -75,5 +82,6 @@ pub use operations::Operations;
 pub use pavo_shade_macros::shade;
 pub use program::{Definition, Output, Parameter, Program, ReturnValue, operands};
 pub use real::{Lanes, Mask, Real, Scalar, Vector};
+pub use specialise::{LeftOut, Specialised, specialise};
 pub use table::Table;
 pub use value::{Arguments, LeafInfo, Value, join};

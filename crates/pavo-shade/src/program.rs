@@ -331,13 +331,13 @@ impl Builder<'_> {
             Leaf::Node(index) => ReturnValue::Node(node_numbers[&index]),
         };
         Definition {
-            name: body.info.map_or_else(|| "evaluate".to_owned(), |info| info.name.to_owned()),
-            doc: body.info.map(|info| info.doc.iter().map(|line| (*line).to_owned()).collect()).unwrap_or_default(),
+            name: body.name.clone(),
+            doc: body.doc.clone(),
             parameters: self.parameters(function, body),
             nodes,
             calls,
             results: self.results(function, body, value),
-            result_type: body.result_type.map(str::to_owned),
+            result_type: body.result_type.clone(),
         }
     }
 
@@ -349,16 +349,12 @@ impl Builder<'_> {
                 .map(|input| Parameter { name: input.name.clone(), doc: input.unit.clone(), ty: input.ty, whole: None })
                 .collect();
         }
-        let of_whole = |whole: usize| body.parameters.iter().filter(|parameter| parameter.whole == whole).count();
         kept.map(|index| &body.parameters[index])
             .map(|parameter| Parameter {
                 name: parameter.leaf.name.clone(),
                 doc: parameter.leaf.doc.clone(),
                 ty: parameter.ty,
-                whole: body.info.filter(|_| of_whole(parameter.whole) > 1).map(|info| {
-                    let whole = &info.parameters[parameter.whole];
-                    (whole.name.to_owned(), whole.doc.to_owned())
-                }),
+                whole: parameter.whole.clone(),
             })
             .collect()
     }

@@ -21,6 +21,16 @@ impl Table {
         Self { name: name.to_owned(), doc: doc.to_owned(), rows }
     }
 
+    /// The least and the greatest number of each column.
+    pub(crate) fn extremes(&self) -> [[f64; 3]; 2] {
+        let over = |choose: fn(f64, f64) -> f64| {
+            let columns =
+                |all: [f64; 3], row: &[f64; 3]| core::array::from_fn(|column| choose(all[column], row[column]));
+            self.rows.iter().fold(self.rows[0], columns)
+        };
+        [over(f64::min), over(f64::max)]
+    }
+
     /// The row of this number, held at the first and the last one.
     pub(crate) fn row(&self, index: f64) -> [f64; 3] {
         // The conversion holds what is negative, and what is not a number, at 0.

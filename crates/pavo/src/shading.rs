@@ -12,7 +12,7 @@ use pavo_optics::surface::{brdf_of_reflectance, shade_surface, surface_brdf, sur
 use pavo_optics::{
     BaseKind, Directions, Film, Finish, Geometry, Layers, Light, Method, Specular, Surface, light::punctual_light,
 };
-use pavo_shade::{Graph, Input, Program, Rate, Scalar, Vector};
+use pavo_shade::{Graph, Input, LeftOut, Program, Rate, Scalar, Vector, specialise};
 use pavo_spectra::{OpticalConstants, Point, Reference, Sensitivities, Stack};
 use rayon::prelude::*;
 use thiserror::Error;
@@ -154,8 +154,18 @@ impl Shading {
         points.par_iter().map(|point| evaluate(point).to_array()).collect()
     }
 
-    /// The program that computes a quantity.
+    /// The program that computes a quantity, for points within the ranges of its inputs: nothing guards others.
     pub fn program(&self, quantity: ShadingQuantity) -> Program {
+        specialise(&self.general_program(quantity)).program
+    }
+
+    /// The guards that [`Shading::program`] does without, since the ranges of the inputs make them unnecessary.
+    pub fn left_out(&self, quantity: ShadingQuantity) -> Vec<LeftOut> {
+        specialise(&self.general_program(quantity)).left_out
+    }
+
+    /// The program that computes a quantity, with all guards.
+    pub fn general_program(&self, quantity: ShadingQuantity) -> Program {
         let graph = Graph::new();
         let value = self.run(quantity, &mut GraphReader { graph: &graph });
         graph.output(quantity.name(), value.as_vec3());

@@ -51,6 +51,7 @@ pub fn run(arguments: &arguments::Build) -> Result<(), Failure> {
         inputs: library_inputs.inputs().iter().map(InputRow::from).collect(),
         targets: emitted.iter().map(TargetRow::from).collect(),
         operations: shading.program(ShadingQuantity::Reflectance).operations(),
+        left_out: shading.left_out(library_quantity(shading.scene())),
         runs,
         against_reference: against_reference(shading, REFERENCE_POINTS)?,
         warnings: shading.warnings(),

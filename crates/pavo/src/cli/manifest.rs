@@ -8,7 +8,7 @@ use crate::scene::Scene;
 use crate::shading::Shading;
 use crate::statistics::Difference;
 use pavo_check::{DeviceDescription, Verdict};
-use pavo_shade::{Input, Operations};
+use pavo_shade::{Input, LeftOut, Operations};
 use serde::Serialize;
 
 /// What is written as `manifest.json`.
@@ -26,6 +26,8 @@ pub struct Manifest<'a> {
     pub targets: Vec<TargetRow<'a>>,
     /// Operations of one evaluation of the reflectance.
     pub operations: Operations,
+    /// The guards that the functions do without, since the ranges of the inputs make them unnecessary.
+    pub left_out: Vec<LeftOut>,
     /// What was measured on the device; nothing where the shaders were not run.
     pub runs: Option<Runs>,
     /// The reflectance of the variant, in f64, against the exact spectral reference over the scene's ranges.
