@@ -7,16 +7,22 @@
 
 mod buffer;
 mod compute;
+mod compute_pipeline;
 mod device;
 mod driver;
+mod environment;
+mod graphics_pipeline;
 mod manifest;
 mod module_interface;
 mod owned;
 mod render;
+mod statistics;
+mod varyings;
 
 pub use compute::ComputeShader;
 pub use device::{Device, DeviceDescription};
 pub use render::RenderShaders;
 
 pub(crate) use driver::Driver;
-pub(crate) use manifest::lavapipe_manifests;
+pub(crate) use manifest::{LAVAPIPE_MANIFEST, RADV_MANIFEST, manifests};
+pub(crate) use statistics::{Statistic, StatisticsDevice};

@@ -189,19 +189,6 @@ impl Device {
             })
         }
     }
-
-    /// Creates a shader module of words that `module_interface` has looked through.
-    pub(super) fn shader_module(&self, words: &[u32]) -> Result<Owned<'_, vk::ShaderModule>, CheckError> {
-        let information = vk::ShaderModuleCreateInfo::default().code(words);
-        // SAFETY: the device is alive; that the module is valid is the caller's contract.
-        unsafe {
-            let module = self
-                .device
-                .create_shader_module(&information, None)
-                .map_err(|result| failure("create a shader module", result))?;
-            Ok(Owned::new(&self.device, module, |device, module| device.destroy_shader_module(module, None)))
-        }
-    }
 }
 
 impl Drop for Device {
@@ -215,7 +202,22 @@ impl Drop for Device {
     }
 }
 
-fn describe(instance: &ash::Instance, device: vk::PhysicalDevice) -> DeviceDescription {
+/// Creates a shader module of words that `module_interface` has looked through.
+pub(super) fn shader_module<'device>(
+    device: &'device ash::Device,
+    words: &[u32],
+) -> Result<Owned<'device, vk::ShaderModule>, CheckError> {
+    let information = vk::ShaderModuleCreateInfo::default().code(words);
+    // SAFETY: the device is alive; that the module is valid is the caller's contract.
+    unsafe {
+        let module = device
+            .create_shader_module(&information, None)
+            .map_err(|result| failure("create a shader module", result))?;
+        Ok(Owned::new(device, module, |device, module| device.destroy_shader_module(module, None)))
+    }
+}
+
+pub(super) fn describe(instance: &ash::Instance, device: vk::PhysicalDevice) -> DeviceDescription {
     let mut driver = vk::PhysicalDeviceDriverProperties::default();
     let mut properties = vk::PhysicalDeviceProperties2::default().push_next(&mut driver);
     // SAFETY: the instance is alive and the device is one of its own. A driver older than Vulkan 1.2 leaves the driver's

@@ -3,9 +3,10 @@
 use ash::vk;
 use libloading::Library;
 
-use super::manifest::lavapipe_manifests;
+use super::environment;
+use super::manifest::{LAVAPIPE_MANIFEST, RADV_MANIFEST, manifests};
 use crate::CheckError;
-use crate::install::{LAVAPIPE, VULKAN_LOADER};
+use crate::install::{LAVAPIPE, RADV, Requirement, VULKAN_LOADER};
 
 /// The version of Vulkan that this crate uses: 1.2, in which a device tells its driver's name, where the driver has it.
 const API_VERSION: u32 = vk::API_VERSION_1_2;
@@ -26,19 +27,34 @@ impl Driver {
     /// Opens lavapipe's own library, so that neither other drivers nor layers are loaded; through the loader where no
     /// manifest of lavapipe is found. The loader may give other devices than lavapipe as well.
     pub fn lavapipe() -> Result<Driver, CheckError> {
-        for manifest in lavapipe_manifests() {
-            if let Some(driver) = open_directly(manifest.library.as_os_str()) {
-                return Ok(driver);
-            }
-        }
-        Driver::through_loader().map_err(|error| match error {
-            CheckError::Missing { .. } => CheckError::missing(LAVAPIPE),
-            other => other,
-        })
+        let _unchanged = environment::unchanged();
+        Driver::of_manifests(LAVAPIPE_MANIFEST, LAVAPIPE)
+    }
+
+    /// Opens RADV's own library, in the same way. The caller has set the environment and holds its lock.
+    pub fn radv() -> Result<Driver, CheckError> {
+        Driver::of_manifests(RADV_MANIFEST, RADV)
     }
 
     /// Every driver of this system, by the Vulkan loader.
     pub fn through_loader() -> Result<Driver, CheckError> {
+        let _unchanged = environment::unchanged();
+        Driver::by_loader()
+    }
+
+    fn of_manifests(prefix: &str, requirement: Requirement) -> Result<Driver, CheckError> {
+        for manifest in manifests(prefix) {
+            if let Some(driver) = open_directly(manifest.library.as_os_str()) {
+                return Ok(driver);
+            }
+        }
+        Driver::by_loader().map_err(|error| match error {
+            CheckError::Missing { .. } => CheckError::missing(requirement),
+            other => other,
+        })
+    }
+
+    fn by_loader() -> Result<Driver, CheckError> {
         // SAFETY: loading the system's Vulkan loader runs its initialisers, which is what it is for.
         let entry = unsafe { ash::Entry::load() }.map_err(|error| CheckError::Missing {
             what: VULKAN_LOADER.name.to_owned(),
