@@ -9,6 +9,7 @@ mod buffer;
 mod compute;
 mod compute_pipeline;
 mod device;
+mod dispatch_times;
 mod driver;
 mod environment;
 mod graphics_pipeline;
@@ -21,8 +22,10 @@ mod varyings;
 
 pub use compute::ComputeShader;
 pub use device::{Device, DeviceDescription};
+pub use dispatch_times::Clock;
 pub use render::RenderShaders;
 
+pub(crate) use dispatch_times::Dispatch;
 pub(crate) use driver::Driver;
 pub(crate) use manifest::{LAVAPIPE_MANIFEST, RADV_MANIFEST, manifests};
 pub(crate) use statistics::{Statistic, StatisticsDevice};

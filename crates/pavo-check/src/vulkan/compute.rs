@@ -89,7 +89,7 @@ impl Device {
     }
 
     /// Compares what the module declares with the call and with the device.
-    fn check_shader(&self, shader: &ComputeShader<'_>) -> Result<(), CheckError> {
+    pub(super) fn check_shader(&self, shader: &ComputeShader<'_>) -> Result<(), CheckError> {
         let interface = ModuleInterface::read(shader.spirv)?;
         let entry = interface.entry_point(shader.entry, COMPUTE)?;
         interface.check_resources(&RESOURCES)?;
@@ -118,7 +118,11 @@ impl Device {
     }
 
     /// The most points that one dispatch and one pair of buffers can hold, in whole workgroups.
-    fn points_per_run(&self, shader: &ComputeShader<'_>, floats_per_point: usize) -> Result<usize, CheckError> {
+    pub(super) fn points_per_run(
+        &self,
+        shader: &ComputeShader<'_>,
+        floats_per_point: usize,
+    ) -> Result<usize, CheckError> {
         let group = u64::from(shader.workgroup_size);
         let by_groups = u64::from(self.limits.max_compute_work_group_count[0]).saturating_mul(group);
         let mut bytes = u64::from(self.limits.max_storage_buffer_range);
@@ -136,7 +140,11 @@ impl Device {
 }
 
 /// The number of points in `length` inputs.
-fn point_count(length: usize, inputs_per_point: usize, outputs_per_point: usize) -> Result<usize, CheckError> {
+pub(super) fn point_count(
+    length: usize,
+    inputs_per_point: usize,
+    outputs_per_point: usize,
+) -> Result<usize, CheckError> {
     if outputs_per_point == 0 {
         return Err(CheckError::Input("a point needs at least one output".to_owned()));
     }

@@ -116,24 +116,30 @@ impl<'device> ComputePipeline<'device> {
                 .dst_access_mask(vk::AccessFlags::HOST_READ)];
             let (transfer, compute) = (vk::PipelineStageFlags::TRANSFER, vk::PipelineStageFlags::COMPUTE_SHADER);
             let none = vk::DependencyFlags::empty();
-            // SAFETY: the commands are being recorded, and all objects belong to this device and are bound as the
-            // layout says.
+            // SAFETY: the commands are being recorded, and all objects belong to this device, and the buffers
+            // were bound.
             unsafe {
                 device.cmd_fill_buffer(commands, outputs.handle(), 0, vk::WHOLE_SIZE, NOT_A_NUMBER);
                 device.cmd_pipeline_barrier(commands, transfer, compute, none, &filled, &[], &[]);
-                device.cmd_bind_pipeline(commands, vk::PipelineBindPoint::COMPUTE, self.pipeline.handle);
-                device.cmd_bind_descriptor_sets(
-                    commands,
-                    vk::PipelineBindPoint::COMPUTE,
-                    self.layout.handle,
-                    0,
-                    &[self.set],
-                    &[],
-                );
-                device.cmd_dispatch(commands, group_count, 1, 1);
+                self.record(commands, group_count);
                 device.cmd_pipeline_barrier(commands, compute, vk::PipelineStageFlags::HOST, none, &written, &[], &[]);
             }
         })
+    }
+
+    /// Records the run of that many workgroups.
+    ///
+    /// # Safety
+    /// `commands` is of this pipeline's device and is being recorded, and buffers are bound.
+    pub unsafe fn record(&self, commands: vk::CommandBuffer, group_count: u32) {
+        let device = &self.device.device;
+        let bind_point = vk::PipelineBindPoint::COMPUTE;
+        // SAFETY: by the contract of this function; all objects belong to this device and are bound as the layout says.
+        unsafe {
+            device.cmd_bind_pipeline(commands, bind_point, self.pipeline.handle);
+            device.cmd_bind_descriptor_sets(commands, bind_point, self.layout.handle, 0, &[self.set], &[]);
+            device.cmd_dispatch(commands, group_count, 1, 1);
+        }
     }
 }
 
