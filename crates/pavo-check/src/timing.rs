@@ -60,6 +60,8 @@ pub struct Timing {
     pub name: String,
     /// Nanoseconds for one evaluation, reading and writing included.
     pub gross: Spread,
+    /// Nanoseconds for the reading and writing of one evaluation alone, by a kernel that does nothing else.
+    pub copy: Spread,
     /// Nanoseconds for one evaluation, less those of a kernel that only reads and writes, in the same round. Noise can
     /// make it negative for a kernel that does next to nothing.
     pub net: Spread,
@@ -108,6 +110,7 @@ pub fn compare(
         Timing {
             name: candidate.name.to_owned(),
             gross: Spread::of(gross[index].clone()),
+            copy: Spread::of(gross[candidates.len() + copies.of[index]].clone()),
             net: Spread::of(net[index].clone()),
             ratio: Spread::of(ratios),
         }

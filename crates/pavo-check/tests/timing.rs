@@ -63,9 +63,13 @@ fn fifty_times_the_work_takes_longer() {
     let names: Vec<&str> = found.timings.iter().map(|timing| timing.name.as_str()).collect();
     assert_eq!(names, ["little", "much"]);
     let [little, much] = &found.timings[..] else { panic!("{found:?}") };
-    for (what, spread) in
-        [("little", &little.gross), ("much", &much.gross), ("much, net", &much.net), ("its ratio", &much.ratio)]
-    {
+    for (what, spread) in [
+        ("little", &little.gross),
+        ("much", &much.gross),
+        ("reading and writing", &much.copy),
+        ("much, net", &much.net),
+        ("its ratio", &much.ratio),
+    ] {
         check_spread(what, spread);
     }
     assert_eq!((much.ratio.least, much.ratio.greatest), (1.0, 1.0));

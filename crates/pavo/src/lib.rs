@@ -41,7 +41,7 @@ mod variant;
 #[cfg(feature = "cli")]
 pub mod cli;
 
-pub use emission::{Emission, compute, fragment, library};
+pub use emission::{Emission, compute, cost, cost_baseline, fragment, library};
 pub use inputs::ShadingQuantity;
 pub use media::MediaError;
 pub use shading::{Shading, ShadingError};
