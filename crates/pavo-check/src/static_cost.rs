@@ -84,10 +84,8 @@ impl StaticCompiler {
     pub fn open(family: &str) -> Result<StaticCompiler, CheckError> {
         let known = FAMILIES.iter().find(|known| known.name == family);
         let family = known.ok_or_else(|| CheckError::Input(unknown_family(family)))?;
-        for name in family.driver_names {
-            if let Some(device) = StatisticsDevice::radv(name)? {
-                return Ok(StaticCompiler { family, device });
-            }
+        if let Some(device) = StatisticsDevice::radv(family.driver_names)? {
+            return Ok(StaticCompiler { family, device });
         }
         Err(CheckError::Missing {
             what: format!("a release of RADV that knows {} ({})", family.name, family.description),

@@ -16,6 +16,7 @@ mod graphics_pipeline;
 mod manifest;
 mod module_interface;
 mod owned;
+mod radv;
 mod render;
 mod statistics;
 mod varyings;

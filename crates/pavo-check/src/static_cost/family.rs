@@ -20,9 +20,9 @@ const fn family(name: &'static str, description: &'static str, driver_names: &'s
 
 /// The families, from the oldest to the newest. RDNA 1 is left out, as its figures are those of RDNA 2.
 pub const FAMILIES: &[Family] = &[
-    family("tahiti", "GCN 1, such as the Radeon HD 7970", &["tahiti"]),
-    family("polaris10", "GCN 4, such as the Radeon RX 480", &["polaris10"]),
-    family("vega10", "GCN 5, such as the Radeon RX Vega 64", &["vega10"]),
-    family("navi21", "RDNA 2, such as the Radeon RX 6800", &["navi21"]),
-    family("gfx1100", "RDNA 3, such as the Radeon RX 7900", &["gfx1100", "navi31"]),
+    family("tahiti", "GCN 1, such as the Radeon HD 7970", &["TAHITI"]),
+    family("polaris10", "GCN 4, such as the Radeon RX 480", &["POLARIS10"]),
+    family("vega10", "GCN 5, such as the Radeon RX Vega 64", &["VEGA10"]),
+    family("navi21", "RDNA 2, such as the Radeon RX 6800", &["NAVI21"]),
+    family("gfx1100", "RDNA 3, such as the Radeon RX 7900", &["NAVI31", "GFX1100"]),
 ];

@@ -1,12 +1,14 @@
 //! Opens a Vulkan driver, directly or through the Vulkan loader, and makes an instance.
 
+use std::path::Path;
+
 use ash::vk;
 use libloading::Library;
 
 use super::environment;
-use super::manifest::{LAVAPIPE_MANIFEST, RADV_MANIFEST, manifests};
+use super::manifest::{LAVAPIPE_MANIFEST, manifests};
 use crate::CheckError;
-use crate::install::{LAVAPIPE, RADV, Requirement, VULKAN_LOADER};
+use crate::install::{LAVAPIPE, VULKAN_LOADER};
 
 /// The version of Vulkan that this crate uses: 1.2, in which a device tells its driver's name, where the driver has it.
 const API_VERSION: u32 = vk::API_VERSION_1_2;
@@ -28,12 +30,13 @@ impl Driver {
     /// manifest of lavapipe is found. The loader may give other devices than lavapipe as well.
     pub fn lavapipe() -> Result<Driver, CheckError> {
         let _unchanged = environment::unchanged();
-        Driver::of_manifests(LAVAPIPE_MANIFEST, LAVAPIPE)
-    }
-
-    /// Opens RADV's own library, in the same way. The caller has set the environment and holds its lock.
-    pub fn radv() -> Result<Driver, CheckError> {
-        Driver::of_manifests(RADV_MANIFEST, RADV)
+        if let Some(driver) = manifests(LAVAPIPE_MANIFEST).iter().find_map(|found| Driver::direct(&found.library)) {
+            return Ok(driver);
+        }
+        Driver::by_loader().map_err(|error| match error {
+            CheckError::Missing { .. } => CheckError::missing(LAVAPIPE),
+            other => other,
+        })
     }
 
     /// Every driver of this system, by the Vulkan loader.
@@ -42,16 +45,26 @@ impl Driver {
         Driver::by_loader()
     }
 
-    fn of_manifests(prefix: &str, requirement: Requirement) -> Result<Driver, CheckError> {
-        for manifest in manifests(prefix) {
-            if let Some(driver) = open_directly(manifest.library.as_os_str()) {
-                return Ok(driver);
+    /// Opens a driver library as the loader does. `None` when it is no driver that can be used so. The caller holds the
+    /// lock of the environment.
+    pub fn direct(library: &Path) -> Option<Driver> {
+        // SAFETY: the library is a Vulkan driver, named by its manifest; loading it runs its initialisers. The two
+        // functions have the types that the interface between loader and driver gives them, and are not used after the
+        // library is closed, as `Driver` holds it.
+        unsafe {
+            let library = Library::new(library).ok()?;
+            type Negotiate = unsafe extern "system" fn(*mut u32) -> vk::Result;
+            let negotiate = *library.get::<Negotiate>(b"vk_icdNegotiateLoaderICDInterfaceVersion\0").ok()?;
+            let mut version = DRIVER_INTERFACE_VERSION;
+            if negotiate(&mut version) != vk::Result::SUCCESS || version < 2 {
+                return None;
             }
+            let get_instance_proc_addr =
+                *library.get::<vk::PFN_vkGetInstanceProcAddr>(b"vk_icdGetInstanceProcAddr\0").ok()?;
+            let entry = ash::Entry::from_static_fn(ash::StaticFn { get_instance_proc_addr });
+            let instance = create_instance(&entry).ok()?;
+            Some(Driver { instance, entry, _library: Some(library) })
         }
-        Driver::by_loader().map_err(|error| match error {
-            CheckError::Missing { .. } => CheckError::missing(requirement),
-            other => other,
-        })
     }
 
     fn by_loader() -> Result<Driver, CheckError> {
@@ -101,27 +114,6 @@ pub(super) fn version_text(version: u32) -> String {
 /// The error for a Vulkan call that failed.
 pub(super) fn failure(action: &'static str, result: vk::Result) -> CheckError {
     CheckError::Vulkan { action, reason: result.to_string() }
-}
-
-/// Opens a driver library as the loader does. `None` when it is no driver that can be used so.
-fn open_directly(path: &std::ffi::OsStr) -> Option<Driver> {
-    // SAFETY: the library is a Vulkan driver, named by its manifest; loading it runs its initialisers. The two
-    // functions have the types that the interface between loader and driver gives them, and are not used after the
-    // library is closed, as `Driver` holds it.
-    unsafe {
-        let library = Library::new(path).ok()?;
-        type Negotiate = unsafe extern "system" fn(*mut u32) -> vk::Result;
-        let negotiate = *library.get::<Negotiate>(b"vk_icdNegotiateLoaderICDInterfaceVersion\0").ok()?;
-        let mut version = DRIVER_INTERFACE_VERSION;
-        if negotiate(&mut version) != vk::Result::SUCCESS || version < 2 {
-            return None;
-        }
-        let get_instance_proc_addr =
-            *library.get::<vk::PFN_vkGetInstanceProcAddr>(b"vk_icdGetInstanceProcAddr\0").ok()?;
-        let entry = ash::Entry::from_static_fn(ash::StaticFn { get_instance_proc_addr });
-        let instance = create_instance(&entry).ok()?;
-        Some(Driver { instance, entry, _library: Some(library) })
-    }
 }
 
 fn create_instance(entry: &ash::Entry) -> Result<ash::Instance, vk::Result> {

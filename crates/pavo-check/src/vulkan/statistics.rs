@@ -3,6 +3,8 @@
 //! RADV makes a device for any family that `RADV_FORCE_FAMILY` names when it is opened. Such a device compiles and does
 //! nothing else: no image and no memory is made on it, and nothing is submitted.
 
+use std::path::Path;
+
 use ash::vk;
 
 use super::device::{DeviceDescription, describe};
@@ -10,6 +12,7 @@ use super::driver::{Driver, failure};
 use super::environment;
 use super::graphics_pipeline::{GraphicsPipeline, render_pass};
 use super::module_interface::{FRAGMENT, ModuleInterface};
+use super::radv;
 use super::render::RenderShaders;
 use super::varyings::{varyings, vertex_text};
 use crate::CheckError;
@@ -34,9 +37,19 @@ pub(crate) struct StatisticsDevice {
 }
 
 impl StatisticsDevice {
-    /// Opens RADV for a family, by the driver's own name for it. `None` when this version of the driver has no such
-    /// family.
-    pub fn radv(family: &str) -> Result<Option<StatisticsDevice>, CheckError> {
+    /// Opens RADV for a family, by the first of the names for it that the driver knows. `None` when it knows none.
+    pub fn radv(family: &[&'static str]) -> Result<Option<StatisticsDevice>, CheckError> {
+        for library in radv::libraries()? {
+            if let Some(name) = radv::known_name(&library, family)
+                && let Some(device) = StatisticsDevice::of_library(&library, name)?
+            {
+                return Ok(Some(device));
+            }
+        }
+        Ok(None)
+    }
+
+    fn of_library(library: &Path, family: &str) -> Result<Option<StatisticsDevice>, CheckError> {
         let variables = [
             ("RADV_FORCE_FAMILY", Some(family)),
             // What is told is what this driver's compiler does now; other programs share the cache on disk.
@@ -48,9 +61,8 @@ impl StatisticsDevice {
             ("RADV_PERFTEST", None),
         ];
         environment::with_variables(&variables, || {
-            let driver = Driver::radv()?;
-            // Without the family the driver finds no device, and may call that an error.
-            let devices = driver.physical_devices().unwrap_or_default();
+            let Some(driver) = Driver::direct(library) else { return Ok(None) };
+            let devices = driver.physical_devices()?;
             let radv =
                 devices.into_iter().find(|&device| describe(&driver.instance, device).driver_name == RADV_DRIVER_NAME);
             radv.map(|device| StatisticsDevice::open(driver, device)).transpose()
@@ -156,5 +168,16 @@ impl Drop for StatisticsDevice {
     fn drop(&mut self) {
         // SAFETY: the device is alive, nothing was ever submitted to it, and what was created on it borrows it.
         unsafe { self.device.destroy_device(None) }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_family_that_the_driver_does_not_know_is_none() {
+        let device = StatisticsDevice::radv(&["NO_SUCH_FAMILY"]).unwrap_or_else(|error| panic!("{error}"));
+        assert!(device.is_none());
     }
 }
