@@ -91,7 +91,7 @@ fn it_runs_on_lavapipe_as_on_the_cpu() {
     let spirv = wgsl_to_spirv("own-brdf.wgsl", &text).expect("naga takes it");
     let device = Device::lavapipe().expect("lavapipe is needed: `cargo xtask setup` installs it");
     let points = points();
-    let shader = ComputeShader { spirv: &spirv, entry: "main", workgroup_size: WORKGROUP_SIZE };
+    let shader = ComputeShader { spirv: &spirv, entry: "main", workgroup_size: WORKGROUP_SIZE, tables: &[] };
     let found = device.evaluate(&shader, points.as_flattened(), 5, 3).expect("it runs");
     for (point, found) in points.iter().zip(found.chunks_exact(3)) {
         let [n_dot_l, r_dot_v, r, g, b] = *point;

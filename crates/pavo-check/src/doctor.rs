@@ -4,9 +4,10 @@ use std::path::PathBuf;
 
 use serde::Serialize;
 
-use crate::install::{GLSLANG, LAVAPIPE, Requirement, SPIRV_DIS, SPIRV_VAL, VULKAN_LOADER};
+use crate::install::{GLSLANG, LAVAPIPE, RADV, Requirement, SPIRV_DIS, SPIRV_VAL, VULKAN_LOADER};
 use crate::judge::{NAGA_VERSION, glslang_version, spirv_tool_version};
-use crate::vulkan::{Device, Driver, lavapipe_manifests};
+use crate::static_cost::StaticCompiler;
+use crate::vulkan::{Device, Driver, LAVAPIPE_MANIFEST, RADV_MANIFEST, manifests};
 
 /// Whether one tool or driver is here.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
@@ -23,7 +24,7 @@ pub struct Finding {
     pub install: Option<String>,
 }
 
-/// Looks for naga, glslang, spirv-val, spirv-dis, the Vulkan loader and lavapipe, in that order.
+/// Looks for naga, glslang, spirv-val, spirv-dis, the Vulkan loader, lavapipe and RADV, in that order.
 pub fn survey() -> Vec<Finding> {
     vec![
         Finding {
@@ -38,6 +39,7 @@ pub fn survey() -> Vec<Finding> {
         program("spirv-dis", SPIRV_DIS, &["spirv-dis"], spirv_tool_version("spirv-dis")),
         vulkan_loader(),
         lavapipe(),
+        radv(),
     ]
 }
 
@@ -62,9 +64,19 @@ fn vulkan_loader() -> Finding {
 fn lavapipe() -> Finding {
     let device = Device::lavapipe();
     let version = device.as_ref().ok().map(|device| device.description().to_string());
-    let location = lavapipe_manifests().first().map(|manifest| manifest.library.display().to_string());
+    let location = manifests(LAVAPIPE_MANIFEST).first().map(|manifest| manifest.library.display().to_string());
     finding("lavapipe", LAVAPIPE, device.is_ok(), version, location)
 }
+
+fn radv() -> Finding {
+    let compiler = StaticCompiler::open(SURVEYED_FAMILY);
+    let version = compiler.as_ref().ok().map(|compiler| compiler.description().to_string());
+    let location = manifests(RADV_MANIFEST).first().map(|manifest| manifest.library.display().to_string());
+    finding("RADV", RADV, compiler.is_ok(), version, location)
+}
+
+/// The family that RADV is opened for, to see that it works: one that opens fast.
+const SURVEYED_FAMILY: &str = "vega10";
 
 fn finding(
     name: &str,

@@ -42,3 +42,9 @@ pub(crate) const LAVAPIPE: Requirement = Requirement {
     name: "lavapipe (Mesa's Vulkan driver for the CPU)",
     install: "install the packages `mesa-vulkan-drivers` and `libvulkan1` (Debian, Ubuntu)",
 };
+
+/// Mesa's Vulkan driver for AMD's graphics cards, whose compiler works without one.
+pub(crate) const RADV: Requirement = Requirement {
+    name: "RADV (Mesa's Vulkan driver for AMD)",
+    install: "install the package `mesa-vulkan-drivers` (Debian, Ubuntu)",
+};

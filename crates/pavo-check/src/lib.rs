@@ -7,10 +7,14 @@
 //! - [`judge`]: is this text, or this SPIR-V, correct? Each judge gives a [`Verdict`]; a refusal is a
 //!   [`CheckError::Refused`] with file, line and judge.
 //! - [`vulkan`]: what does this SPIR-V compute? Runs compute kernels and renders pictures.
+//! - [`static_cost`]: what does a fragment shader cost on a graphics card, as its compiler counts?
+//! - [`timing`]: how long do compute kernels take on a device, compared with each other?
 //! - [`doctor`]: which of the tools and drivers are here?
 
 pub mod doctor;
 pub mod judge;
+pub mod static_cost;
+pub mod timing;
 pub mod vulkan;
 
 mod error;

@@ -7,16 +7,26 @@
 
 mod buffer;
 mod compute;
+mod compute_pipeline;
 mod device;
+mod dispatch_times;
 mod driver;
+mod environment;
+mod graphics_pipeline;
 mod manifest;
 mod module_interface;
 mod owned;
+mod radv;
 mod render;
+mod statistics;
+mod varyings;
 
 pub use compute::ComputeShader;
 pub use device::{Device, DeviceDescription};
+pub use dispatch_times::Clock;
 pub use render::RenderShaders;
 
+pub(crate) use dispatch_times::Dispatch;
 pub(crate) use driver::Driver;
-pub(crate) use manifest::lavapipe_manifests;
+pub(crate) use manifest::{LAVAPIPE_MANIFEST, RADV_MANIFEST, manifests};
+pub(crate) use statistics::{Statistic, StatisticsDevice};

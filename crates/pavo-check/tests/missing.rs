@@ -6,6 +6,7 @@
 use std::process::Command;
 
 use pavo_check::doctor::survey;
+use pavo_check::static_cost::StaticCompiler;
 use pavo_check::{CheckError, Device, Stage, disassemble, judge_glsl, judge_text, judge_wgsl, wgsl_to_spirv};
 use pavo_emit::{Form, Language};
 
@@ -45,9 +46,10 @@ fn find_nothing() {
     check_missing(disassemble(&wgsl_to_spirv("a.wgsl", wgsl).unwrap()), "spirv-dis", "spirv-tools");
     check_missing(Device::lavapipe(), "lavapipe", "mesa-vulkan-drivers");
     check_missing(Device::named("llvmpipe"), "Vulkan driver", "mesa-vulkan-drivers");
+    check_missing(StaticCompiler::open("navi21"), "RADV", "mesa-vulkan-drivers");
     let findings = survey();
     let missing = findings.iter().filter(|finding| !finding.found).map(|finding| finding.name.as_str());
-    assert_eq!(missing.collect::<Vec<_>>(), ["glslang", "spirv-val", "spirv-dis", "lavapipe"]);
+    assert_eq!(missing.collect::<Vec<_>>(), ["glslang", "spirv-val", "spirv-dis", "lavapipe", "RADV"]);
     for finding in findings.iter().filter(|finding| !finding.found) {
         assert!(
             finding.install.as_deref().is_some_and(|install| install.contains("install the package")),

@@ -86,7 +86,7 @@ fn a_million_cosines_agree_with_the_cpu() {
     let points = 1_000_000_u32;
     let inputs: Vec<f32> = (0..points).map(|i| i as f32 * 1.0e-2).collect();
     for (spirv, entry) in both_roads(64, 1, "outputs[i] = cos(inputs[i]);") {
-        let shader = ComputeShader { spirv: &spirv, entry, workgroup_size: 64 };
+        let shader = ComputeShader { spirv: &spirv, entry, workgroup_size: 64, tables: &[] };
         let outputs = lavapipe().evaluate(&shader, &inputs, 1, 1).unwrap();
         assert_eq!(outputs.len(), inputs.len());
         let differences = inputs.iter().zip(&outputs).map(|(x, y)| (f64::from(*x).cos() - f64::from(*y)).abs());
@@ -103,7 +103,7 @@ fn points_of_several_values_keep_their_order() {
     let inputs: Vec<f32> = (0..3 * 101_u16).map(f32::from).collect();
     let expected: Vec<f32> = inputs.chunks(3).flat_map(|point| [point[0] + point[1], point[2]]).collect();
     for (spirv, entry) in both_roads(16, 3, body) {
-        let shader = ComputeShader { spirv: &spirv, entry, workgroup_size: 16 };
+        let shader = ComputeShader { spirv: &spirv, entry, workgroup_size: 16, tables: &[] };
         assert_eq!(lavapipe().evaluate(&shader, &inputs, 3, 2).unwrap(), expected, "{entry}");
     }
 }
@@ -114,7 +114,7 @@ fn more_workgroups_than_one_dispatch_holds_are_run_in_pieces() {
     let count = 200_003_u32;
     let inputs: Vec<f32> = (0..count).map(|i| i as f32).collect();
     let spirv = wgsl_kernel(1, 1, "outputs[i] = inputs[i] + 0.5;");
-    let shader = ComputeShader { spirv: &spirv, entry: "evaluate", workgroup_size: 1 };
+    let shader = ComputeShader { spirv: &spirv, entry: "evaluate", workgroup_size: 1, tables: &[] };
     let outputs = lavapipe().evaluate(&shader, &inputs, 1, 1).unwrap();
     assert_eq!(outputs.len(), inputs.len());
     let wrong = inputs.iter().zip(&outputs).position(|(x, y)| x + 0.5 != *y);
@@ -124,7 +124,7 @@ fn more_workgroups_than_one_dispatch_holds_are_run_in_pieces() {
 #[test]
 fn no_inputs_mean_one_point() {
     let spirv = wgsl_kernel(1, 1, "outputs[0] = 1.5; outputs[1] = f32(arrayLength(&inputs));");
-    let shader = ComputeShader { spirv: &spirv, entry: "evaluate", workgroup_size: 1 };
+    let shader = ComputeShader { spirv: &spirv, entry: "evaluate", workgroup_size: 1, tables: &[] };
     assert_eq!(lavapipe().evaluate(&shader, &[], 0, 2).unwrap(), [1.5, 1.0]);
     assert!(lavapipe().evaluate(&shader, &[], 1, 2).unwrap().is_empty());
 }
@@ -132,7 +132,7 @@ fn no_inputs_mean_one_point() {
 #[test]
 fn outputs_that_are_not_written_are_nan() {
     let spirv = wgsl_kernel(1, 1, "if i == 1u { outputs[i] = inputs[i]; }");
-    let shader = ComputeShader { spirv: &spirv, entry: "evaluate", workgroup_size: 1 };
+    let shader = ComputeShader { spirv: &spirv, entry: "evaluate", workgroup_size: 1, tables: &[] };
     let outputs = lavapipe().evaluate(&shader, &[5.0, 6.0, 7.0], 1, 1).unwrap();
     assert!(outputs[0].is_nan() && outputs[1] == 6.0 && outputs[2].is_nan(), "{outputs:?}");
 }
@@ -146,7 +146,7 @@ fn a_shader_that_does_not_fit_the_call_is_refused() {
     let more = wgsl_to_spirv("more.wgsl", two_buffers).unwrap();
     let check =
         |spirv: &[u32], entry: &str, workgroup_size, inputs: &[f32], per_point: (usize, usize), expected: &str| {
-            let shader = ComputeShader { spirv, entry, workgroup_size };
+            let shader = ComputeShader { spirv, entry, workgroup_size, tables: &[] };
             let error = device.evaluate(&shader, inputs, per_point.0, per_point.1).expect_err(expected);
             assert!(matches!(error, CheckError::Input(_)), "{error:?}");
             assert!(error.to_string().contains(expected), "{error}\nexpected: {expected}");
@@ -166,11 +166,11 @@ fn a_shader_that_does_not_fit_the_call_is_refused() {
 #[test]
 fn a_point_beyond_the_limits_of_the_device_is_refused() {
     let spirv = wgsl_kernel(8, 1, "outputs[i] = inputs[i];");
-    let shader = ComputeShader { spirv: &spirv, entry: "evaluate", workgroup_size: 8 };
+    let shader = ComputeShader { spirv: &spirv, entry: "evaluate", workgroup_size: 8, tables: &[] };
     let error = lavapipe().evaluate(&shader, &[1.0], 1, 1 << 40).expect_err("a terabyte of outputs");
     assert!(matches!(error, CheckError::Limit { .. }), "{error:?}");
     let large = wgsl_kernel(4_096, 1, "outputs[i] = inputs[i];");
-    let shader = ComputeShader { spirv: &large, entry: "evaluate", workgroup_size: 4_096 };
+    let shader = ComputeShader { spirv: &large, entry: "evaluate", workgroup_size: 4_096, tables: &[] };
     let error = lavapipe().evaluate(&shader, &[1.0], 1, 1).expect_err("a workgroup of 4096");
     assert!(matches!(error, CheckError::Limit { allowed: 1024, .. }), "{error:?}");
 }
@@ -182,7 +182,7 @@ fn a_device_is_shared_between_threads() {
         for thread in 0..4_u8 {
             let spirv = &spirv;
             scope.spawn(move || {
-                let shader = ComputeShader { spirv, entry: "evaluate", workgroup_size: 64 };
+                let shader = ComputeShader { spirv, entry: "evaluate", workgroup_size: 64, tables: &[] };
                 let inputs = vec![f32::from(thread); 1_000];
                 let outputs = lavapipe().evaluate(&shader, &inputs, 1, 1).unwrap();
                 assert!(outputs.iter().all(|output| *output == 2.0 * f32::from(thread)));

@@ -151,6 +151,18 @@ impl Dialect {
         }
     }
 
+    /// A table as a storage buffer: vectors at steps of four numbers.
+    pub fn table_buffer(&self, name: &str, binding: usize) -> String {
+        let ty = self.type_name(Type::Vec3);
+        match self.syntax {
+            Syntax::Wgsl => format!("@group(0) @binding({binding}) var<storage, read> {name}: array<{ty}>;\n"),
+            Syntax::C => {
+                let block = format!("layout(std430, set = 0, binding = {binding}) readonly buffer {name}_buffer");
+                format!("{block} {{\n    {ty} {name}[];\n}};\n")
+            }
+        }
+    }
+
     /// A parameter, or a field of a struct without what ends it.
     pub fn typed(&self, ty: &str, name: &str) -> String {
         match self.syntax {

@@ -1,10 +1,10 @@
 //! Complete texts: the functions of a program with an entry point from a template.
 
 use crate::dialect::{Dialect, Syntax};
-use crate::function::{Context, body};
+use crate::function::{Body, Context, body};
 use crate::literal::number;
 use crate::passing::structs_passed;
-use crate::text::{Names, functions, header};
+use crate::text::{Names, Tables, functions, header};
 use crate::{EmitError, Language, Options, WORKGROUP_SIZE};
 use minijinja::{Environment, context};
 use pavo_shade::{Program, Type};
@@ -64,19 +64,7 @@ fn render(
 ) -> Result<String, EmitError> {
     let dialect = Dialect::of(options.language);
     let names = Names::new(program, &options.prefix);
-    let fields = names.fields();
-    let passed = structs_passed(program, &names.structs);
-    let printer = Context {
-        dialect,
-        functions: &names.functions,
-        tables: &names.tables,
-        structs: &names.structs,
-        fields: &fields,
-        passed: &passed,
-        outer: &names.outer,
-        source_lines: options.source_lines,
-    };
-    let main = body(&printer, program.body(), program.functions().len());
+    let main = main_body(program, options, &names);
     let mut offset = 0;
     let inputs: Vec<minijinja::Value> = program
         .inputs()
@@ -102,23 +90,50 @@ fn render(
         .map(|(output, value)| context! { name => output.name.as_str(), value })
         .collect();
     let columns: Vec<&str> = program.inputs().iter().map(|input| input.name.as_str()).collect();
+    let values = context! {
+        inputs,
+        outputs,
+        columns => columns.join(", "),
+        statements => main.statements,
+        stride => program.input_components(),
+        workgroup_size => WORKGROUP_SIZE,
+        modern => options.language == Language::Glsl450,
+    };
+    // A compute shader reads its tables from buffers after those of the inputs and outputs.
+    let tables = if form == "compute" { Tables::Buffers { first_binding: 2 } } else { Tables::Constants };
+    complete(form, template, values, &functions(program, options, &names, tables), options)
+}
+
+/// What an entry point does with the inputs of a program.
+pub(crate) fn main_body(program: &Program, options: &Options, names: &Names) -> Body {
+    let fields = names.fields();
+    let passed = structs_passed(program, &names.structs);
+    let printer = Context {
+        dialect: Dialect::of(options.language),
+        functions: &names.functions,
+        tables: &names.tables,
+        structs: &names.structs,
+        fields: &fields,
+        passed: &passed,
+        outer: &names.outer,
+        source_lines: options.source_lines,
+    };
+    body(&printer, program.body(), program.functions().len())
+}
+
+/// A complete text: header, functions, and an entry point from its template.
+pub(crate) fn complete(
+    form: &'static str,
+    template: &str,
+    values: minijinja::Value,
+    functions: &str,
+    options: &Options,
+) -> Result<String, EmitError> {
+    let dialect = Dialect::of(options.language);
     let mut environment = Environment::new();
     environment.set_undefined_behavior(minijinja::UndefinedBehavior::Strict);
     let broken = |error: minijinja::Error| EmitError::Template { form, message: format!("{error:#}") };
-    let entry = environment
-        .render_str(
-            template,
-            context! {
-                inputs,
-                outputs,
-                columns => columns.join(", "),
-                statements => main.statements,
-                stride => program.input_components(),
-                workgroup_size => WORKGROUP_SIZE,
-                modern => options.language == Language::Glsl450,
-            },
-        )
-        .map_err(broken)?;
+    let entry = environment.render_str(template, values).map_err(broken)?;
     let mut text = String::new();
     if !dialect.version.is_empty() {
         text.push_str(dialect.version);
@@ -129,7 +144,7 @@ fn render(
         text.push('\n');
         text.push_str(dialect.preamble);
     }
-    text.push_str(&functions(program, options, &names));
+    text.push_str(functions);
     text.push('\n');
     text.push_str(entry.trim_end());
     text.push('\n');

@@ -4,6 +4,7 @@
 //! careful person would write: the names of the Rust source, a comment per function with meaning, units and source,
 //! and nothing that the program does not need. The same program gives the same bytes.
 
+mod cost;
 pub mod dialect;
 mod entry;
 mod expression;
@@ -89,6 +90,12 @@ pub enum EmitError {
         /// The name of the language.
         language: &'static str,
     },
+    /// The language has no entry point whose cost is counted.
+    #[error("{language} is not compiled for a graphics card here; the cost is counted of wgsl and glsl450")]
+    NoCost {
+        /// The name of the language.
+        language: &'static str,
+    },
     /// A template of an entry point is broken.
     #[error("the template of the {form} entry cannot be rendered: {message}")]
     Template {
@@ -120,4 +127,24 @@ pub fn emit_compute(program: &Program, options: &Options) -> Result<String, Emit
 /// If the template of the entry is broken.
 pub fn emit_fragment(program: &Program, options: &Options, sphere: &Sphere) -> Result<String, EmitError> {
     entry::fragment(program, options, sphere)
+}
+
+/// The functions of a program with a fragment entry that evaluates them once, for a compiler to count what they cost.
+///
+/// Each input is interpolated: its numbers are packed by fours into the locations from 0 on, in the order of the
+/// program's inputs. The sum of the outputs is written to location 0. Take away what [`emit_cost_baseline`] costs.
+///
+/// # Errors
+/// If the language is neither WGSL nor GLSL 4.50.
+pub fn emit_cost(program: &Program, options: &Options) -> Result<String, EmitError> {
+    cost::whole(program, options)
+}
+
+/// A fragment entry with the inputs of [`emit_cost`] that only adds them up: what it costs to read the inputs and to
+/// write a colour.
+///
+/// # Errors
+/// If the language is neither WGSL nor GLSL 4.50.
+pub fn emit_cost_baseline(program: &Program, options: &Options) -> Result<String, EmitError> {
+    cost::baseline(program, options)
 }

@@ -78,12 +78,24 @@ pub fn library(program: &Program, options: &Options) -> String {
         text.push('\n');
         text.push_str(dialect.preamble);
     }
-    text.push_str(&functions(program, options, &names));
+    text.push_str(&functions(program, options, &names, Tables::Constants));
     text
 }
 
-/// The structs and functions of a program.
-pub fn functions(program: &Program, options: &Options, names: &Names) -> String {
+/// Where a text has its tables.
+#[derive(Clone, Copy, Debug)]
+pub enum Tables {
+    /// In the text.
+    Constants,
+    /// In storage buffers, one each.
+    Buffers {
+        /// The binding of the first.
+        first_binding: usize,
+    },
+}
+
+/// The tables, structs and functions of a program.
+pub fn functions(program: &Program, options: &Options, names: &Names, tables: Tables) -> String {
     let dialect = Dialect::of(options.language);
     let fields = names.fields();
     let passed = structs_passed(program, &names.structs);
@@ -98,9 +110,13 @@ pub fn functions(program: &Program, options: &Options, names: &Names) -> String 
         source_lines: options.source_lines,
     };
     let mut text = String::new();
-    for (table, name) in program.tables().iter().zip(&names.tables) {
+    for (index, (table, name)) in program.tables().iter().zip(&names.tables).enumerate() {
         text.push('\n');
-        text.push_str(&rows(dialect, table, name));
+        text.push_str(&comment(&Paragraph::of_doc(std::slice::from_ref(&table.doc))));
+        text.push_str(&match tables {
+            Tables::Constants => rows(dialect, table, name),
+            Tables::Buffers { first_binding } => dialect.table_buffer(name, first_binding + index),
+        });
     }
     let mut printed: Vec<&Struct> = Vec::new();
     for (index, definition) in program.functions().iter().enumerate() {
@@ -120,8 +136,7 @@ pub fn functions(program: &Program, options: &Options, names: &Names) -> String 
 /// A table, as many rows on a line as fit.
 fn rows(dialect: &Dialect, table: &Table, name: &str) -> String {
     let [before, after] = dialect.table(name, table.rows.len());
-    let mut text = comment(&Paragraph::of_doc(std::slice::from_ref(&table.doc)));
-    text.push_str(&before);
+    let mut text = before;
     let mut column = WIDTH;
     for (index, row) in table.rows.iter().enumerate() {
         let comma = if index + 1 < table.rows.len() { "," } else { "" };

@@ -53,6 +53,32 @@ pub fn fragment<'a>(shading: &Shading, emission: impl Into<Emission<'a>>) -> Res
     pavo_emit::emit_fragment(&program, &options, &sphere(program.inputs()))
 }
 
+/// The functions of a quantity with a fragment entry that evaluates them once, for a compiler to count what they cost.
+///
+/// # Errors
+/// If the language is neither WGSL nor GLSL 4.50.
+pub fn cost<'a>(
+    shading: &Shading,
+    quantity: ShadingQuantity,
+    emission: impl Into<Emission<'a>>,
+) -> Result<String, EmitError> {
+    let program = shading.program(quantity);
+    pavo_emit::emit_cost(&program, &options(shading, emission.into(), Form::Fragment, program.inputs()))
+}
+
+/// A fragment entry with the inputs of [`cost`] that only adds them up, to be taken away from its cost.
+///
+/// # Errors
+/// If the language is neither WGSL nor GLSL 4.50.
+pub fn cost_baseline<'a>(
+    shading: &Shading,
+    quantity: ShadingQuantity,
+    emission: impl Into<Emission<'a>>,
+) -> Result<String, EmitError> {
+    let program = shading.program(quantity);
+    pavo_emit::emit_cost_baseline(&program, &options(shading, emission.into(), Form::Fragment, program.inputs()))
+}
+
 /// What a library is of: as far as the scene goes.
 pub(crate) fn library_quantity(scene: &Scene) -> ShadingQuantity {
     if scene.lights.punctual { ShadingQuantity::Directions } else { ShadingQuantity::Brdf }

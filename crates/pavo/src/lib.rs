@@ -43,7 +43,7 @@ mod variant;
 #[cfg(feature = "cli")]
 pub mod cli;
 
-pub use emission::{Emission, compute, fragment, library};
+pub use emission::{Emission, compute, cost, cost_baseline, fragment, library};
 pub use fitting::{FitCache, NoCache};
 pub use inputs::ShadingQuantity;
 pub use media::MediaError;

@@ -6,6 +6,7 @@ use ash::vk;
 use serde::Serialize;
 
 use super::driver::{Driver, failure, version_text};
+use super::environment;
 use super::owned::Owned;
 use crate::CheckError;
 use crate::install::LAVAPIPE;
@@ -41,6 +42,8 @@ pub struct Device {
     pub(super) memory: vk::PhysicalDeviceMemoryProperties,
     pub(super) limits: vk::PhysicalDeviceLimits,
     pub(super) max_allocation: u64,
+    /// How many bits of a timestamp count; 0 when the queue writes none.
+    pub(super) timestamp_bits: u32,
     queue: Mutex<vk::Queue>,
     queue_family: u32,
     description: DeviceDescription,
@@ -88,6 +91,7 @@ impl Device {
     /// [`CheckError::Missing`] without a Vulkan loader or driver.
     pub fn list() -> Result<Vec<DeviceDescription>, CheckError> {
         let driver = Driver::through_loader()?;
+        let _unchanged = environment::unchanged();
         let devices = driver.physical_devices()?;
         Ok(devices.into_iter().map(|device| describe(&driver.instance, device)).collect())
     }
@@ -102,6 +106,7 @@ impl Device {
         fits: impl Fn(&DeviceDescription) -> bool,
         missing: impl FnOnce(Vec<DeviceDescription>) -> CheckError,
     ) -> Result<Device, CheckError> {
+        let _unchanged = environment::unchanged();
         let physical_devices = driver.physical_devices()?;
         let descriptions: Vec<DeviceDescription> =
             physical_devices.iter().map(|&device| describe(&driver.instance, device)).collect();
@@ -116,6 +121,7 @@ impl Device {
             let reason = format!("{description} has no queue for both graphics and compute");
             CheckError::Vulkan { action: "open the device", reason }
         })?;
+        let timestamp_bits = families[queue_family].timestamp_valid_bits;
         let queue_family = u32::try_from(queue_family).unwrap_or(u32::MAX);
 
         let mut maintenance = vk::PhysicalDeviceMaintenance3Properties::default();
@@ -139,11 +145,23 @@ impl Device {
             .map_err(|result| failure("open the device", result))?;
         let queue = Mutex::new(unsafe { device.get_device_queue(queue_family, 0) });
         let max_allocation = maintenance.max_memory_allocation_size;
-        Ok(Device { device, memory, limits, max_allocation, queue, queue_family, description, _driver: driver })
+        Ok(Device {
+            device,
+            memory,
+            limits,
+            max_allocation,
+            timestamp_bits,
+            queue,
+            queue_family,
+            description,
+            _driver: driver,
+        })
     }
 
     /// Records commands, runs them, and waits until they are done.
     pub(super) fn run(&self, record: impl FnOnce(vk::CommandBuffer)) -> Result<(), CheckError> {
+        // A driver compiles at the first run, too.
+        let _unchanged = environment::unchanged();
         let device = &self.device;
         // SAFETY: all objects belong to this device; the queue is locked while it is used; the wait at the end sees to
         // it that no command is pending when the objects are dropped.
@@ -189,19 +207,6 @@ impl Device {
             })
         }
     }
-
-    /// Creates a shader module of words that `module_interface` has looked through.
-    pub(super) fn shader_module(&self, words: &[u32]) -> Result<Owned<'_, vk::ShaderModule>, CheckError> {
-        let information = vk::ShaderModuleCreateInfo::default().code(words);
-        // SAFETY: the device is alive; that the module is valid is the caller's contract.
-        unsafe {
-            let module = self
-                .device
-                .create_shader_module(&information, None)
-                .map_err(|result| failure("create a shader module", result))?;
-            Ok(Owned::new(&self.device, module, |device, module| device.destroy_shader_module(module, None)))
-        }
-    }
 }
 
 impl Drop for Device {
@@ -215,7 +220,22 @@ impl Drop for Device {
     }
 }
 
-fn describe(instance: &ash::Instance, device: vk::PhysicalDevice) -> DeviceDescription {
+/// Creates a shader module of words that `module_interface` has looked through.
+pub(super) fn shader_module<'device>(
+    device: &'device ash::Device,
+    words: &[u32],
+) -> Result<Owned<'device, vk::ShaderModule>, CheckError> {
+    let information = vk::ShaderModuleCreateInfo::default().code(words);
+    // SAFETY: the device is alive; that the module is valid is the caller's contract.
+    unsafe {
+        let module = device
+            .create_shader_module(&information, None)
+            .map_err(|result| failure("create a shader module", result))?;
+        Ok(Owned::new(device, module, |device, module| device.destroy_shader_module(module, None)))
+    }
+}
+
+pub(super) fn describe(instance: &ash::Instance, device: vk::PhysicalDevice) -> DeviceDescription {
     let mut driver = vk::PhysicalDeviceDriverProperties::default();
     let mut properties = vk::PhysicalDeviceProperties2::default().push_next(&mut driver);
     // SAFETY: the instance is alive and the device is one of its own. A driver older than Vulkan 1.2 leaves the driver's

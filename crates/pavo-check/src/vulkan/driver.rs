@@ -1,9 +1,12 @@
 //! Opens a Vulkan driver, directly or through the Vulkan loader, and makes an instance.
 
+use std::path::Path;
+
 use ash::vk;
 use libloading::Library;
 
-use super::manifest::lavapipe_manifests;
+use super::environment;
+use super::manifest::{LAVAPIPE_MANIFEST, manifests};
 use crate::CheckError;
 use crate::install::{LAVAPIPE, VULKAN_LOADER};
 
@@ -26,12 +29,11 @@ impl Driver {
     /// Opens lavapipe's own library, so that neither other drivers nor layers are loaded; through the loader where no
     /// manifest of lavapipe is found. The loader may give other devices than lavapipe as well.
     pub fn lavapipe() -> Result<Driver, CheckError> {
-        for manifest in lavapipe_manifests() {
-            if let Some(driver) = open_directly(manifest.library.as_os_str()) {
-                return Ok(driver);
-            }
+        let _unchanged = environment::unchanged();
+        if let Some(driver) = manifests(LAVAPIPE_MANIFEST).iter().find_map(|found| Driver::direct(&found.library)) {
+            return Ok(driver);
         }
-        Driver::through_loader().map_err(|error| match error {
+        Driver::by_loader().map_err(|error| match error {
             CheckError::Missing { .. } => CheckError::missing(LAVAPIPE),
             other => other,
         })
@@ -39,6 +41,33 @@ impl Driver {
 
     /// Every driver of this system, by the Vulkan loader.
     pub fn through_loader() -> Result<Driver, CheckError> {
+        let _unchanged = environment::unchanged();
+        Driver::by_loader()
+    }
+
+    /// Opens a driver library as the loader does. `None` when it is no driver that can be used so. The caller holds the
+    /// lock of the environment.
+    pub fn direct(library: &Path) -> Option<Driver> {
+        // SAFETY: the library is a Vulkan driver, named by its manifest; loading it runs its initialisers. The two
+        // functions have the types that the interface between loader and driver gives them, and are not used after the
+        // library is closed, as `Driver` holds it.
+        unsafe {
+            let library = Library::new(library).ok()?;
+            type Negotiate = unsafe extern "system" fn(*mut u32) -> vk::Result;
+            let negotiate = *library.get::<Negotiate>(b"vk_icdNegotiateLoaderICDInterfaceVersion\0").ok()?;
+            let mut version = DRIVER_INTERFACE_VERSION;
+            if negotiate(&mut version) != vk::Result::SUCCESS || version < 2 {
+                return None;
+            }
+            let get_instance_proc_addr =
+                *library.get::<vk::PFN_vkGetInstanceProcAddr>(b"vk_icdGetInstanceProcAddr\0").ok()?;
+            let entry = ash::Entry::from_static_fn(ash::StaticFn { get_instance_proc_addr });
+            let instance = create_instance(&entry).ok()?;
+            Some(Driver { instance, entry, _library: Some(library) })
+        }
+    }
+
+    fn by_loader() -> Result<Driver, CheckError> {
         // SAFETY: loading the system's Vulkan loader runs its initialisers, which is what it is for.
         let entry = unsafe { ash::Entry::load() }.map_err(|error| CheckError::Missing {
             what: VULKAN_LOADER.name.to_owned(),
@@ -85,27 +114,6 @@ pub(super) fn version_text(version: u32) -> String {
 /// The error for a Vulkan call that failed.
 pub(super) fn failure(action: &'static str, result: vk::Result) -> CheckError {
     CheckError::Vulkan { action, reason: result.to_string() }
-}
-
-/// Opens a driver library as the loader does. `None` when it is no driver that can be used so.
-fn open_directly(path: &std::ffi::OsStr) -> Option<Driver> {
-    // SAFETY: the library is a Vulkan driver, named by its manifest; loading it runs its initialisers. The two
-    // functions have the types that the interface between loader and driver gives them, and are not used after the
-    // library is closed, as `Driver` holds it.
-    unsafe {
-        let library = Library::new(path).ok()?;
-        type Negotiate = unsafe extern "system" fn(*mut u32) -> vk::Result;
-        let negotiate = *library.get::<Negotiate>(b"vk_icdNegotiateLoaderICDInterfaceVersion\0").ok()?;
-        let mut version = DRIVER_INTERFACE_VERSION;
-        if negotiate(&mut version) != vk::Result::SUCCESS || version < 2 {
-            return None;
-        }
-        let get_instance_proc_addr =
-            *library.get::<vk::PFN_vkGetInstanceProcAddr>(b"vk_icdGetInstanceProcAddr\0").ok()?;
-        let entry = ash::Entry::from_static_fn(ash::StaticFn { get_instance_proc_addr });
-        let instance = create_instance(&entry).ok()?;
-        Some(Driver { instance, entry, _library: Some(library) })
-    }
 }
 
 fn create_instance(entry: &ash::Entry) -> Result<ash::Instance, vk::Result> {

@@ -1,4 +1,4 @@
-//! Finds lavapipe's driver library by the manifests that Vulkan drivers install.
+//! Finds the library of one of Mesa's drivers by the manifests that Vulkan drivers install.
 //!
 //! The folders and the form of the manifests are those of the "Architecture of the Vulkan Loader Interfaces"
 //! (Khronos, "Driver Discovery on Linux").
@@ -27,13 +27,17 @@ struct DriverEntry {
     library_path: PathBuf,
 }
 
-/// The manifests of lavapipe on this system, the most specific first. Empty where drivers are not announced by files.
-pub(crate) fn lavapipe_manifests() -> Vec<Manifest> {
+/// What the names of lavapipe's manifests begin with.
+pub(crate) const LAVAPIPE_MANIFEST: &str = "lvp_icd";
+/// What the names of RADV's manifests begin with.
+pub(crate) const RADV_MANIFEST: &str = "radeon_icd";
+
+/// The manifests of a driver on this system, the most specific first. Empty where drivers are not announced by files.
+pub(crate) fn manifests(prefix: &str) -> Vec<Manifest> {
     let mut found: Vec<Manifest> = Vec::new();
     for path in candidate_files() {
-        let is_lavapipe =
-            path.file_name().and_then(|name| name.to_str()).is_some_and(|name| name.starts_with("lvp_icd"));
-        if is_lavapipe && let Some(library) = std::fs::read(&path).ok().and_then(|text| library_of(&path, &text)) {
+        let is_of_driver = path.file_name().and_then(|name| name.to_str()).is_some_and(|name| name.starts_with(prefix));
+        if is_of_driver && let Some(library) = std::fs::read(&path).ok().and_then(|text| library_of(&path, &text)) {
             let manifest = Manifest { path, library };
             if !found.contains(&manifest) {
                 found.push(manifest);

@@ -8,10 +8,10 @@ use crate::CheckError;
 const MAGIC_NUMBER: u32 = 0x0723_0203;
 const HEADER_WORDS: usize = 5;
 
-const OP_ENTRY_POINT: u32 = 15;
+pub(super) const OP_ENTRY_POINT: u32 = 15;
 const OP_EXECUTION_MODE: u32 = 16;
-const OP_VARIABLE: u32 = 59;
-const OP_DECORATE: u32 = 71;
+pub(super) const OP_VARIABLE: u32 = 59;
+pub(super) const OP_DECORATE: u32 = 71;
 const EXECUTION_MODE_LOCAL_SIZE: u32 = 17;
 const STORAGE_CLASS_PUSH_CONSTANT: u32 = 9;
 const DECORATION_BINDING: u32 = 33;
@@ -46,22 +46,11 @@ pub(super) struct ModuleInterface {
 impl ModuleInterface {
     /// Reads the declarations of a module.
     pub fn read(words: &[u32]) -> Result<ModuleInterface, CheckError> {
-        let malformed = |what: &str| CheckError::Input(format!("the SPIR-V cannot be run: {what}"));
-        if words.first() != Some(&MAGIC_NUMBER) || words.len() < HEADER_WORDS {
-            return Err(malformed("it does not begin with the header of a module"));
-        }
         let mut interface = ModuleInterface::default();
         let mut sets: Vec<(u32, u32)> = Vec::new();
         let mut bindings: Vec<(u32, u32)> = Vec::new();
-        let mut rest = &words[HEADER_WORDS..];
-        while let Some(&first) = rest.first() {
-            let (length, opcode) = ((first >> 16) as usize, first & 0xffff);
-            if length == 0 || length > rest.len() {
-                return Err(malformed("an instruction is longer than the module"));
-            }
-            let (instruction, following) = rest.split_at(length);
-            rest = following;
-            match (opcode, &instruction[1..]) {
+        for (opcode, operands) in instructions(words)? {
+            match (opcode, operands) {
                 (OP_ENTRY_POINT, &[execution_model, id, ref name @ ..]) => {
                     let name = literal_string(name);
                     interface.entry_points.push(EntryPoint { name, execution_model, local_size: None, id });
@@ -123,6 +112,26 @@ impl ModuleInterface {
     }
 }
 
+/// The instructions of a module: opcode and operands.
+pub(super) fn instructions(words: &[u32]) -> Result<Vec<(u32, &[u32])>, CheckError> {
+    let malformed = |what: &str| CheckError::Input(format!("the SPIR-V cannot be run: {what}"));
+    if words.first() != Some(&MAGIC_NUMBER) || words.len() < HEADER_WORDS {
+        return Err(malformed("it does not begin with the header of a module"));
+    }
+    let mut instructions = Vec::new();
+    let mut rest = &words[HEADER_WORDS..];
+    while let Some(&first) = rest.first() {
+        let (length, opcode) = ((first >> 16) as usize, first & 0xffff);
+        if length == 0 || length > rest.len() {
+            return Err(malformed("an instruction is longer than the module"));
+        }
+        let (instruction, following) = rest.split_at(length);
+        rest = following;
+        instructions.push((opcode, &instruction[1..]));
+    }
+    Ok(instructions)
+}
+
 fn kind(execution_model: u32) -> &'static str {
     match execution_model {
         VERTEX => "vertex",
@@ -133,9 +142,14 @@ fn kind(execution_model: u32) -> &'static str {
 }
 
 /// A string of SPIR-V: UTF-8 bytes in words, low byte first, ended by a zero byte.
-fn literal_string(words: &[u32]) -> String {
+pub(super) fn literal_string(words: &[u32]) -> String {
     let bytes: Vec<u8> = words.iter().flat_map(|word| word.to_le_bytes()).take_while(|&byte| byte != 0).collect();
     String::from_utf8_lossy(&bytes).into_owned()
+}
+
+/// The number of words that such a string takes, its zero byte included.
+pub(super) fn literal_string_words(words: &[u32]) -> usize {
+    words.iter().take_while(|word| !word.to_le_bytes().contains(&0)).count() + 1
 }
 
 #[cfg(test)]

@@ -3,9 +3,9 @@
 use ash::vk;
 
 use super::buffer::{Buffer, allocate, memory_type};
-use super::compute::entry_name;
 use super::device::Device;
 use super::driver::failure;
+use super::graphics_pipeline::{FORMAT, GraphicsPipeline, render_pass};
 use super::module_interface::{FRAGMENT, ModuleInterface, VERTEX};
 use super::owned::Owned;
 use crate::CheckError;
@@ -23,8 +23,6 @@ pub struct RenderShaders<'module> {
     /// The name of the fragment shader's entry point.
     pub fragment_entry: &'module str,
 }
-
-const FORMAT: vk::Format = vk::Format::R32G32B32A32_SFLOAT;
 
 impl Device {
     /// Renders three vertices without attributes or resources, and returns the pixels row by row from the top left.
@@ -48,9 +46,10 @@ impl Device {
         }
         self.check_size(width, height)?;
         let extent = vk::Extent2D { width, height };
-        let pass = self.render_pass()?;
+        let pass = render_pass(&self.device)?;
         let target = Target::new(self, pass.handle, extent)?;
-        let pipeline = Pipeline::new(self, shaders, pass.handle, extent)?;
+        let none = vk::PipelineCreateFlags::empty();
+        let pipeline = GraphicsPipeline::new(&self.device, shaders, pass.handle, extent, none)?;
         let channels = width as usize * height as usize * 4;
         let pixels = Buffer::new(self, channels, vk::BufferUsageFlags::TRANSFER_DST)?;
         self.draw(pass.handle, &target, &pipeline, &pixels, extent)?;
@@ -76,47 +75,11 @@ impl Device {
         Ok(())
     }
 
-    /// A pass that clears the target, draws, and leaves it to be copied from.
-    fn render_pass(&self) -> Result<Owned<'_, vk::RenderPass>, CheckError> {
-        let attachments = [vk::AttachmentDescription::default()
-            .format(FORMAT)
-            .samples(vk::SampleCountFlags::TYPE_1)
-            .load_op(vk::AttachmentLoadOp::CLEAR)
-            .store_op(vk::AttachmentStoreOp::STORE)
-            .stencil_load_op(vk::AttachmentLoadOp::DONT_CARE)
-            .stencil_store_op(vk::AttachmentStoreOp::DONT_CARE)
-            .initial_layout(vk::ImageLayout::UNDEFINED)
-            .final_layout(vk::ImageLayout::TRANSFER_SRC_OPTIMAL)];
-        let colors = [vk::AttachmentReference { attachment: 0, layout: vk::ImageLayout::COLOR_ATTACHMENT_OPTIMAL }];
-        let subpasses = [vk::SubpassDescription::default()
-            .pipeline_bind_point(vk::PipelineBindPoint::GRAPHICS)
-            .color_attachments(&colors)];
-        let dependencies = [vk::SubpassDependency::default()
-            .src_subpass(0)
-            .dst_subpass(vk::SUBPASS_EXTERNAL)
-            .src_stage_mask(vk::PipelineStageFlags::COLOR_ATTACHMENT_OUTPUT)
-            .src_access_mask(vk::AccessFlags::COLOR_ATTACHMENT_WRITE)
-            .dst_stage_mask(vk::PipelineStageFlags::TRANSFER)
-            .dst_access_mask(vk::AccessFlags::TRANSFER_READ)];
-        let information = vk::RenderPassCreateInfo::default()
-            .attachments(&attachments)
-            .subpasses(&subpasses)
-            .dependencies(&dependencies);
-        // SAFETY: the device is alive and the structures are complete.
-        unsafe {
-            let pass = self
-                .device
-                .create_render_pass(&information, None)
-                .map_err(|result| failure("create a render pass", result))?;
-            Ok(Owned::new(&self.device, pass, |device, pass| device.destroy_render_pass(pass, None)))
-        }
-    }
-
     fn draw(
         &self,
         pass: vk::RenderPass,
         target: &Target<'_>,
-        pipeline: &Pipeline<'_>,
+        pipeline: &GraphicsPipeline<'_>,
         pixels: &Buffer<'_>,
         extent: vk::Extent2D,
     ) -> Result<(), CheckError> {
@@ -136,7 +99,7 @@ impl Device {
             // SAFETY: the commands are being recorded, and all objects belong to this device and fit each other.
             unsafe {
                 device.cmd_begin_render_pass(commands, &begin, vk::SubpassContents::INLINE);
-                device.cmd_bind_pipeline(commands, vk::PipelineBindPoint::GRAPHICS, pipeline.pipeline.handle);
+                device.cmd_bind_pipeline(commands, vk::PipelineBindPoint::GRAPHICS, pipeline.handle());
                 device.cmd_draw(commands, 3, 1, 0, 0);
                 device.cmd_end_render_pass(commands);
                 device.cmd_copy_image_to_buffer(
@@ -227,76 +190,6 @@ impl<'device> Target<'device> {
                 device.destroy_framebuffer(framebuffer, None);
             });
             Ok(Target { framebuffer, _view: view, image, _memory: memory })
-        }
-    }
-}
-
-/// The graphics pipeline of a full-screen triangle.
-struct Pipeline<'device> {
-    // In the order in which they are to be destroyed.
-    pipeline: Owned<'device, vk::Pipeline>,
-    _layout: Owned<'device, vk::PipelineLayout>,
-}
-
-impl<'device> Pipeline<'device> {
-    fn new(
-        device: &'device Device,
-        shaders: &RenderShaders<'_>,
-        pass: vk::RenderPass,
-        extent: vk::Extent2D,
-    ) -> Result<Self, CheckError> {
-        let (vertex_name, fragment_name) = (entry_name(shaders.vertex_entry)?, entry_name(shaders.fragment_entry)?);
-        let (vertex, fragment) = (device.shader_module(shaders.vertex)?, device.shader_module(shaders.fragment)?);
-        let stages = [
-            vk::PipelineShaderStageCreateInfo::default()
-                .stage(vk::ShaderStageFlags::VERTEX)
-                .module(vertex.handle)
-                .name(&vertex_name),
-            vk::PipelineShaderStageCreateInfo::default()
-                .stage(vk::ShaderStageFlags::FRAGMENT)
-                .module(fragment.handle)
-                .name(&fragment_name),
-        ];
-        let vertex_input = vk::PipelineVertexInputStateCreateInfo::default();
-        let assembly =
-            vk::PipelineInputAssemblyStateCreateInfo::default().topology(vk::PrimitiveTopology::TRIANGLE_LIST);
-        let (width, height) = (extent.width as f32, extent.height as f32);
-        let viewports = [vk::Viewport { x: 0.0, y: 0.0, width, height, min_depth: 0.0, max_depth: 1.0 }];
-        let scissors = [vk::Rect2D { offset: vk::Offset2D::default(), extent }];
-        let viewport = vk::PipelineViewportStateCreateInfo::default().viewports(&viewports).scissors(&scissors);
-        let rasterization = vk::PipelineRasterizationStateCreateInfo::default()
-            .polygon_mode(vk::PolygonMode::FILL)
-            .cull_mode(vk::CullModeFlags::NONE)
-            .front_face(vk::FrontFace::COUNTER_CLOCKWISE)
-            .line_width(1.0);
-        let multisample =
-            vk::PipelineMultisampleStateCreateInfo::default().rasterization_samples(vk::SampleCountFlags::TYPE_1);
-        let attachments =
-            [vk::PipelineColorBlendAttachmentState::default().color_write_mask(vk::ColorComponentFlags::RGBA)];
-        let blend = vk::PipelineColorBlendStateCreateInfo::default().attachments(&attachments);
-        let handle = &device.device;
-        // SAFETY: all objects belong to this device and outlive what is made of them; the entry points were found in
-        // their modules.
-        unsafe {
-            let layout = handle
-                .create_pipeline_layout(&vk::PipelineLayoutCreateInfo::default(), None)
-                .map_err(|result| failure("create a pipeline layout", result))?;
-            let layout = Owned::new(handle, layout, |device, layout| device.destroy_pipeline_layout(layout, None));
-            let information = [vk::GraphicsPipelineCreateInfo::default()
-                .stages(&stages)
-                .vertex_input_state(&vertex_input)
-                .input_assembly_state(&assembly)
-                .viewport_state(&viewport)
-                .rasterization_state(&rasterization)
-                .multisample_state(&multisample)
-                .color_blend_state(&blend)
-                .layout(layout.handle)
-                .render_pass(pass)];
-            let pipelines = handle
-                .create_graphics_pipelines(vk::PipelineCache::null(), &information, None)
-                .map_err(|(_, result)| failure("create the graphics pipeline", result))?;
-            let pipeline = Owned::new(handle, pipelines[0], |device, pipeline| device.destroy_pipeline(pipeline, None));
-            Ok(Pipeline { pipeline, _layout: layout })
         }
     }
 }

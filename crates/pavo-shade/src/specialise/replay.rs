@@ -7,7 +7,7 @@ use crate::expr::{Expr, ExprMask};
 use crate::fold;
 use crate::graph::{ArgumentKey, BinaryOp, FunctionParameter, Graph, NodeId, Op, Type, UnaryOp};
 use crate::program::{Definition, Output, Program, ReturnValue};
-use crate::real::{Mask, Real, Vector, Scalar};
+use crate::real::{Mask, Real, Scalar, Vector};
 use crate::value::LeafInfo;
 use std::collections::HashMap;
 

@@ -18,6 +18,15 @@ const OVERSAMPLING: u32 = 2;
 /// Renders the sphere and writes the picture.
 pub fn run(arguments: &arguments::Preview) -> Result<(), Failure> {
     let source = Source::load(&arguments.scene, arguments.variant.as_deref())?;
+    if !source.shading.sphere_program().tables().is_empty() {
+        return Err(Failure::input(
+            format!(
+                "{} reads tables, and lavapipe takes minutes to compile those of a fragment shader",
+                source.shading.variant()
+            ),
+            "take another variant for the picture, such as --variant windowed:k=6",
+        ));
+    }
     let progress = Progress::start();
     progress.step("emitting the fragment shader");
     let fragment = source.emit(Target::Spirv, Form::Fragment, ShadingQuantity::Radiance)?;

@@ -6,7 +6,7 @@ use crate::inputs::ShadingQuantity;
 use crate::target::Target;
 use pavo_check::{ComputeShader, Device, Stage, glsl_to_spirv, judge_spirv, wgsl_to_spirv};
 use pavo_emit::{Form, Language, WORKGROUP_SIZE};
-use pavo_shade::Input;
+use pavo_shade::{Input, Table};
 
 /// A way from the emitted code to the device.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -66,7 +66,8 @@ pub fn evaluate(
     let program = source.shading.program(quantity);
     let columns = columns(&source.shading.inputs(quantity), program.inputs());
     let inputs: Vec<f32> = points.iter().flat_map(|point| columns.iter().map(|&column| point[column])).collect();
-    let shader = ComputeShader { spirv: &words, entry: "main", workgroup_size: WORKGROUP_SIZE };
+    let tables: Vec<Vec<f32>> = program.tables().iter().map(table_numbers).collect();
+    let shader = ComputeShader { spirv: &words, entry: "main", workgroup_size: WORKGROUP_SIZE, tables: &tables };
     let outputs = device.evaluate(&shader, &inputs, columns.len(), 3)?;
     let mut colors: Vec<[f32; 3]> = outputs.chunks_exact(3).map(|color| [color[0], color[1], color[2]]).collect();
     if columns.is_empty() {
@@ -74,6 +75,11 @@ pub fn evaluate(
         colors = vec![colors.first().copied().unwrap_or([f32::NAN; 3]); points.len()];
     }
     Ok(colors)
+}
+
+/// A table as a buffer holds it: a fourth number after each three.
+fn table_numbers(table: &Table) -> Vec<f32> {
+    table.rows.iter().flat_map(|[x, y, z]| [*x as f32, *y as f32, *z as f32, 0.0]).collect()
 }
 
 /// Where each number that the program takes stands in a point.
