@@ -42,6 +42,8 @@ mod variant;
 
 #[cfg(feature = "cli")]
 pub mod cli;
+#[cfg(feature = "cli")]
+pub mod roads;
 
 pub use emission::{Emission, compute, cost, cost_baseline, fragment, library};
 pub use fitting::{FitCache, NoCache};

@@ -7,11 +7,11 @@ use super::manifest::{InputRow, Manifest, RunRow, Runs, TargetRow, against_refer
 use super::output;
 use super::points_table::{column_names, digits};
 use super::progress::Progress;
-use super::roads::{self, Road};
 use super::sources::{Emitted, Source};
 use crate::emission::library_quantity;
 use crate::inputs::ShadingQuantity;
 use crate::points::spread;
+use crate::roads::{self, Road};
 use crate::statistics::Difference;
 use pavo_check::Device;
 use pavo_shade::Input;
@@ -91,7 +91,7 @@ fn run_on_lavapipe(source: &Source, progress: &Progress) -> Result<Runs, Failure
             shading.evaluate_each_f32(quantity, &points).into_iter().map(|color| color.map(f64::from)).collect();
         for road in Road::ALL {
             progress.step(format!("running the {} on lavapipe: {}", quantity.name(), road.name()));
-            let found = roads::evaluate(&device, road, source, quantity, &points)?;
+            let found = roads::evaluate(&device, road, &source.shading, quantity, &points)?;
             rows.push(RunRow::new(quantity, road, &inputs, &points, &found, (&cpu_f32, &cpu_f64)));
         }
     }

@@ -5,9 +5,9 @@ use super::failure::Failure;
 use super::output;
 use super::points_table::PointsTable;
 use super::progress::Progress;
-use super::roads::{self, Road};
 use super::sources::Source;
 use crate::inputs::ShadingQuantity;
+use crate::roads::{self, Road};
 use crate::statistics::Difference;
 use pavo_check::Device;
 
@@ -55,7 +55,7 @@ fn evaluate(
     let double = |colors: Vec<[f32; 3]>| colors.into_iter().map(|color| color.map(f64::from)).collect();
     let on_lavapipe = |road: Road| {
         let device = Device::lavapipe()?;
-        roads::evaluate(&device, road, source, quantity, &single()).map(double)
+        roads::evaluate(&device, road, &source.shading, quantity, &single()).map(double).map_err(Failure::from)
     };
     match on {
         Evaluator::Reference => Ok(source.shading.reference_each(quantity, points)?),

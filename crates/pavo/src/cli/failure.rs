@@ -1,6 +1,7 @@
 //! How a command fails: with a message, and with a status that says of what kind.
 
 use crate::media::MediaError;
+use crate::roads::RoadError;
 use crate::scene::SceneError;
 use crate::shading::ShadingError;
 use crate::variant::VariantError;
@@ -79,6 +80,15 @@ impl From<VariantError> for Failure {
 impl From<EmitError> for Failure {
     fn from(error: EmitError) -> Self {
         Self { status: BAD_INPUT, report: miette!("{error}") }
+    }
+}
+
+impl From<RoadError> for Failure {
+    fn from(error: RoadError) -> Self {
+        match error {
+            RoadError::Emit(error) => error.into(),
+            RoadError::Check(error) => error.into(),
+        }
     }
 }
 

@@ -1,9 +1,9 @@
 //! The manifest: all that is known of what was built.
 
-use super::roads::Road;
 use super::sources::Emitted;
 use crate::inputs::ShadingQuantity;
 use crate::points::spread;
+use crate::roads::Road;
 use crate::scene::Scene;
 use crate::shading::Shading;
 use crate::statistics::Difference;

@@ -19,7 +19,6 @@ mod plot;
 mod points_table;
 mod preview;
 mod progress;
-mod roads;
 mod sources;
 mod spectrum;
 mod variants;

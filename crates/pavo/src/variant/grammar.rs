@@ -57,10 +57,11 @@ const FAMILIES: [Family; 8] = [
 /// The family that is written by its size instead of options.
 const TABLE: &str = "table";
 
-/// The sizes that a table may have, and the most entries.
+/// The sizes that a table may have, and the most entries: the time that judges take to read a table in GLSL grows with the
+/// square of its size.
 const TABLE_ANGLES: std::ops::RangeInclusive<usize> = 2..=1024;
 const TABLE_THICKNESSES: std::ops::RangeInclusive<usize> = 1..=1024;
-const TABLE_ENTRIES: usize = 16_384;
+const TABLE_ENTRIES: usize = 4096;
 
 impl FromStr for Variant {
     type Err = VariantError;
@@ -198,7 +199,7 @@ fn table(text: &str, size: &str) -> Result<Variant, VariantError> {
         message: format!("`{}` in the variant `{}` is no size of a table", shown(size), shown(text)),
         help: format!(
             "write table:WxH with W angles ({} to {}) and H thicknesses ({} to {}), at most {TABLE_ENTRIES} entries: \
-             table:64x256; H is 1 for a film of one thickness",
+             table:64x64; H is 1 for a film of one thickness",
             TABLE_ANGLES.start(),
             TABLE_ANGLES.end(),
             TABLE_THICKNESSES.start(),

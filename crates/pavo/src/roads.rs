@@ -1,12 +1,11 @@
-//! The three roads by which emitted code runs on lavapipe.
+//! The three roads by which emitted code runs on a device.
 
-use super::failure::Failure;
-use super::sources::Source;
 use crate::inputs::ShadingQuantity;
-use crate::target::Target;
-use pavo_check::{ComputeShader, Device, Stage, glsl_to_spirv, judge_spirv, wgsl_to_spirv};
-use pavo_emit::{Form, Language, WORKGROUP_SIZE};
+use crate::{Shading, compute};
+use pavo_check::{CheckError, ComputeShader, Device, Stage, glsl_to_spirv, judge_spirv, judge_text, wgsl_to_spirv};
+use pavo_emit::{Dialect, EmitError, Form, Language, WORKGROUP_SIZE};
 use pavo_shade::{Input, Table};
+use thiserror::Error;
 
 /// A way from the emitted code to the device.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -33,38 +32,52 @@ impl Road {
     }
 
     /// The SPIR-V that this road brings to the device.
-    fn spirv(self, source: &Source, quantity: ShadingQuantity) -> Result<Vec<u32>, Failure> {
-        let target = match self {
-            Road::Wgsl => Target::Text(Language::Wgsl),
-            Road::Glsl => Target::Text(Language::Glsl450),
-            Road::Spirv => Target::Spirv,
+    ///
+    /// # Errors
+    /// If the text cannot be emitted, or a judge refuses it.
+    pub fn spirv(self, shading: &Shading, quantity: ShadingQuantity) -> Result<Vec<u32>, RoadError> {
+        let language = match self {
+            Road::Wgsl | Road::Spirv => Language::Wgsl,
+            Road::Glsl => Language::Glsl450,
         };
-        let emitted = source.emit(target, Form::Compute, quantity)?;
-        let text = String::from_utf8_lossy(&emitted.bytes);
+        let name = format!("{}.{}", shading.scene().name, Dialect::of(language).extension);
+        let text = compute(shading, quantity, language)?;
+        judge_text(language, Form::Compute, &name, &text)?;
         let words = match self {
-            Road::Wgsl => wgsl_to_spirv(&emitted.file, &text)?,
-            Road::Glsl => glsl_to_spirv(&emitted.file, &text, Stage::Compute)?,
-            Road::Spirv => {
-                let words = emitted.bytes.chunks_exact(4);
-                words.map(|word| u32::from_le_bytes([word[0], word[1], word[2], word[3]])).collect()
-            }
+            // The emitted SPIR-V is naga's of the emitted WGSL.
+            Road::Wgsl | Road::Spirv => wgsl_to_spirv(&name, &text)?,
+            Road::Glsl => glsl_to_spirv(&name, &text, Stage::Compute)?,
         };
-        judge_spirv(&emitted.file, &words)?;
+        judge_spirv(&name, &words)?;
         Ok(words)
     }
 }
 
+/// Why a quantity cannot be evaluated by a road.
+#[derive(Debug, Error)]
+pub enum RoadError {
+    /// The text cannot be emitted.
+    #[error(transparent)]
+    Emit(#[from] EmitError),
+    /// A judge refuses it, or the device fails.
+    #[error(transparent)]
+    Check(#[from] CheckError),
+}
+
 /// Evaluates a quantity at many points by a road.
+///
+/// # Errors
+/// If the text cannot be emitted, a judge refuses it, or the device fails.
 pub fn evaluate(
     device: &Device,
     road: Road,
-    source: &Source,
+    shading: &Shading,
     quantity: ShadingQuantity,
     points: &[Vec<f32>],
-) -> Result<Vec<[f32; 3]>, Failure> {
-    let words = road.spirv(source, quantity)?;
-    let program = source.shading.program(quantity);
-    let columns = columns(&source.shading.inputs(quantity), program.inputs());
+) -> Result<Vec<[f32; 3]>, RoadError> {
+    let words = road.spirv(shading, quantity)?;
+    let program = shading.program(quantity);
+    let columns = columns(&shading.inputs(quantity), program.inputs());
     let inputs: Vec<f32> = points.iter().flat_map(|point| columns.iter().map(|&column| point[column])).collect();
     let tables: Vec<Vec<f32>> = program.tables().iter().map(table_numbers).collect();
     let shader = ComputeShader { spirv: &words, entry: "main", workgroup_size: WORKGROUP_SIZE, tables: &tables };
