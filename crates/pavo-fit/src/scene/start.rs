@@ -10,6 +10,9 @@ use nalgebra::{DMatrix, DVector};
 /// The wave numbers between which the waves are spread, 1/um: 633 to 424 nm. The best fits have theirs there.
 const SPREAD_WAVE_NUMBERS: [f64; 2] = [1.58, 2.36];
 
+/// What a round trip loses with D at the start, 1/um: a little, so that it may fall.
+const SLOPE: f64 = 0.05;
+
 /// How close the amplitude of a round trip may come to 1 at the start.
 const LARGEST_ROUND_TRIP: f64 = 0.97;
 
@@ -27,9 +30,10 @@ pub(super) fn start(layout: &Layout, media: Media, random: &mut Random) -> Vec<f
     }
     // Each wave stands for a band of about the spacing's width: the window is that band's transform.
     parameters[Layout::WINDOW] = 2.0 * spacing * random.within(1.6, 2.8);
-    if plan.has_exponent() {
-        parameters[layout.exponent] = random.within(2.5, 4.0);
-        parameters[layout.exponent + 1] = random.within(5.0, 14.0);
+    if let Some(at) = layout.damping {
+        parameters[at.exponent] = random.within(2.5, 4.0);
+        parameters[at.slope] = SLOPE;
+        parameters[at.log_taper] = random.within(5.0, 14.0);
     }
     for weight in &mut parameters[layout.weights.clone()] {
         *weight = 1.0 / plan.nodes as f64;
