@@ -64,7 +64,7 @@ pub enum FittedMean {
 pub struct FittedNode {
     /// Wave number in vacuum, 1/nm.
     pub wave_number: f64,
-    /// What is added to its phase, radians. Not 0 only where the base absorbs.
+    /// What is added to its phase, radians.
     pub phase: f64,
     /// Share in each output channel.
     pub weight: [f64; 3],

@@ -76,9 +76,14 @@ impl Plan {
         matches!(self.form, Form::DampedKernel | Form::CorrectedKernel)
     }
 
-    /// Whether the waves have phases of their own.
+    /// Whether the waves have phases of their own: an absorbing base turns them, and a few waves under a sharp kernel fit
+    /// better with them; more no longer do.
     pub fn has_phases(&self) -> bool {
-        self.form == Form::ThreeOrders
+        match self.form {
+            Form::ThreeOrders => true,
+            Form::DampedKernel => self.nodes <= 4,
+            _ => false,
+        }
     }
 
     /// The polynomial that must stay within -1 and 1, by its place among the others.
