@@ -10,7 +10,6 @@
 
 mod choose;
 mod error;
-mod fresnel;
 mod layout;
 mod model;
 mod plan;

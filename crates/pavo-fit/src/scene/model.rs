@@ -134,18 +134,18 @@ pub(super) fn evaluate(
 
 #[cfg(test)]
 mod tests {
-    use super::super::fresnel::Media;
     use super::super::plan::{Form, Plan};
     use super::super::random::Random;
     use super::super::start::start;
     use super::*;
-    use nalgebra::Complex;
+    use crate::media::Media;
+    use num_complex::Complex64;
     use pavo_optics::fitted::fitted_reflectance;
 
     const FIXED: Fixed = Fixed { ambient_ior: 1.0, film_ior: 1.5, thickness_nm: [0.0, 3000.0] };
 
     fn cases() -> Vec<(Layout, Vec<f64>)> {
-        let media = Media { ambient_ior: 1.0, film_ior: 1.5, base: Complex::new(2.7, 0.4) };
+        let media = Media { ambient: 1.0, film: 1.5, base: Complex64::new(2.7, 0.4) };
         let mut random = Random::new(5);
         let mut case = |form, coloured| {
             let layout = Layout::new(Plan::new(form, 4, coloured));
