@@ -1,5 +1,7 @@
-//! Fits: of spectral sensitivities ([`sensitivity`]) and of the reflectance of one scene ([`scene`]).
+//! Fits: of spectral sensitivities ([`sensitivity`]), of the reflectance of one scene ([`scene`]), and of that of one film of
+//! one thickness ([`baked`]).
 
+pub mod baked;
 mod media;
 mod method;
 pub mod scene;

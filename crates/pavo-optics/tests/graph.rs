@@ -114,7 +114,9 @@ fn surfaces() -> Vec<Surface> {
     speculars.extend([dielectric, BaseKind::Conductor].map(Specular::Bare));
     speculars.extend([Specular::BareSpectral(nodes(dispersive)), Specular::BareMetalness]);
     let coefficients = vec![[0.4, 0.3, 0.5], [-0.2, 0.1, 0.0], [0.1, 0.1, -0.2]];
-    speculars.push(Specular::Baked(BakedFilm { coefficients }));
+    for denominator in [vec![], vec![[0.3, -0.2, 0.1], [0.1, 0.4, -0.3]]] {
+        speculars.push(Specular::Baked(BakedFilm { coefficients: coefficients.clone(), denominator }));
+    }
     let mut surfaces: Vec<Surface> = speculars
         .into_iter()
         .map(|specular| Surface { specular, diffuse: true, visibility_k: VisibilityK::Punctual })

@@ -108,7 +108,7 @@ impl Shading {
         }
         let points: Vec<Vec<f64>> = chebyshev_cosines(degree + 1).into_iter().map(|cosine| vec![cosine]).collect();
         let coefficients = polynomial(&self.reference_each(quantity, &points)?);
-        self.surface.specular = Specular::Baked(BakedFilm { coefficients });
+        self.surface.specular = Specular::Baked(BakedFilm { coefficients, denominator: Vec::new() });
         Ok(())
     }
 
