@@ -62,7 +62,7 @@ pub fn window_terms<S: Scalar, R: Lanes<S> + Value<Leaf = S::Leaf>>(
 
 /// Both polarisations under the window, at one optical path difference: `rest` less what the nodes contribute is the
 /// reflectance.
-#[derive(Clone, Copy, Debug)]
+#[shade]
 pub struct WindowedFilm<R: Real> {
     /// What does not depend on the phase: `1 - sum_pol Q (1 - kappa) / 2`.
     pub rest: R,
@@ -74,13 +74,18 @@ pub struct WindowedFilm<R: Real> {
 
 impl<R: Real> WindowedFilm<R> {
     /// A film under a window of a width, in nm, at an optical path difference.
-    pub fn new<S: Scalar>(width_nm: f64, [s, p]: [SeriesTerms<R>; 2], opd_nm: S) -> Self
+    pub fn new<S: Scalar>(width_nm: f64, series: [SeriesTerms<R>; 2], opd_nm: S) -> Self
     where
         R: Lanes<S> + Value<Leaf = S::Leaf>,
     {
-        let spread = (opd_nm * S::lit(1.0 / width_nm)).named("spread");
-        let g = (-(spread * spread)).exp().named("window");
-        let g_squared = (g * g).max(S::lit(0.01)).named("window_squared");
+        Self::under(closing(width_nm, opd_nm), series)
+    }
+
+    /// A film under a window that has closed to g; with it its square, held at 0.01 or above.
+    pub(crate) fn under<S: Scalar>([g, g_squared]: [S; 2], [s, p]: [SeriesTerms<R>; 2]) -> Self
+    where
+        R: Lanes<S> + Value<Leaf = S::Leaf>,
+    {
         let window_s = window_terms::<S, R>(s, g, g_squared).named("window_s");
         let window_p = window_terms::<S, R>(p, g, g_squared).named("window_p");
         // Q (1 - kappa) / 2 over both polarisations.
@@ -97,6 +102,13 @@ impl<R: Real> WindowedFilm<R> {
         };
         contribution(self.s) + contribution(self.p)
     }
+}
+
+/// How far a window of a width, in nm, closes at an optical path difference: g, and its square, held at 0.01 or above.
+pub(crate) fn closing<S: Scalar>(width_nm: f64, opd_nm: S) -> [S; 2] {
+    let spread = (opd_nm * S::lit(1.0 / width_nm)).named("spread");
+    let g = (-(spread * spread)).exp().named("window");
+    [g, (g * g).max(S::lit(0.01)).named("window_squared")]
 }
 
 /// Reflectance of the film by equally spaced wave numbers under a window, all orders.

@@ -21,7 +21,7 @@ pub(super) fn place_below(coefficients: &[f64], limit: f64) -> Option<(f64, f64)
     let mut parts = vec![(0.0, end)];
     while let Some((middle, half)) = parts.pop() {
         let at = value(middle);
-        if !(at > limit) {
+        if at.is_nan() || at <= limit {
             return Some(if at < 0.0 { root(&value, middle) } else { (middle, at) });
         }
         if at - steepest * half > limit {

@@ -13,7 +13,6 @@ mod error;
 mod layout;
 mod model;
 mod plan;
-mod points;
 mod problem;
 mod random;
 mod request;

@@ -2,9 +2,9 @@
 
 use super::layout::Layout;
 use super::plan::Form;
-use super::points::LEAST_COS;
 use super::random::Random;
 use crate::media::Media;
+use crate::points::LEAST_COS;
 use nalgebra::{DMatrix, DVector};
 use num_complex::Complex64;
 use pavo_optics::series::SeriesTerms;

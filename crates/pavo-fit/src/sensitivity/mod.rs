@@ -13,11 +13,9 @@
 
 mod classes;
 mod files;
-mod film_point;
 mod film_samples;
 mod random;
 mod reflectance_fit;
-mod separable;
 mod transform_basis;
 mod transform_fit;
 

@@ -8,13 +8,13 @@ use nalgebra::{DMatrix, DVector};
 use pavo_spectra::{Point, Sensitivities};
 
 use super::classes::film_classes;
-use super::film_point::FilmPoint;
 use super::film_samples::FilmSamples;
 use super::random::SplitMix64;
-use super::separable::{Basis, Separable};
 use super::transform_basis::{Form, TransformBasis, equispaced};
 use super::transform_fit::{Samples, Solution, first_fits, weights_are_bounded};
+use crate::film_point::FilmPoint;
 use crate::method::angular;
+use crate::separable::{Basis, Separable};
 
 /// Points of each class of films.
 const POINTS_PER_CLASS: usize = 200;
