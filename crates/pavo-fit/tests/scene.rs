@@ -62,6 +62,21 @@ fn a_kernel_with_three_waves_serves_oil_on_water() {
 }
 
 #[test]
+fn a_damped_kernel_with_four_waves_serves_a_soap_film() {
+    let sensitivities = sensitivities();
+    let request = SceneFitRequest {
+        film: medium(1.33, 0.0),
+        base: medium(1.0, 0.0),
+        form: Some(Form::DampedKernel),
+        nodes: 4,
+        rms_error: Some(6e-3),
+        ..oil(&sensitivities)
+    };
+    let fit = fit_scene(&request).expect("the error is reachable");
+    assert!(fit.rms <= 6e-3 && fit.max <= 0.06, "{} {}", fit.rms, fit.max);
+}
+
+#[test]
 fn a_film_of_one_thickness_needs_the_angle_alone() {
     let sensitivities = sensitivities();
     let request = SceneFitRequest {
@@ -128,6 +143,7 @@ fn films() -> Vec<FittedFilm> {
             contrast: row(1.0),
             round_trip: row(0.8),
             exponent: 3.4,
+            damping_slope: 2e-4,
             log_taper: 6.9,
             first_order: None,
         },
@@ -135,6 +151,7 @@ fn films() -> Vec<FittedFilm> {
             contrast: row(1.0),
             round_trip: row(0.8),
             exponent: 3.4,
+            damping_slope: 2e-4,
             log_taper: 6.9,
             first_order: Some(row(0.3)),
         },

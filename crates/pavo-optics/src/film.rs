@@ -2,6 +2,7 @@
 
 use crate::airy::{AiryTerms, airy_reflectance, airy_terms};
 use crate::cosines::cosines_reflectance;
+use crate::grouped::{WindowGroup, channel_base, grouped_reflectance};
 use crate::poles::{Pole, poles_reflectance};
 use crate::series::{GaussianFit, series_reflectance};
 use crate::spectral::{SpectralNode, dispersive_reflectance, spectral_reflectance};
@@ -49,6 +50,13 @@ pub enum Method {
     Windowed {
         /// The wave numbers.
         window: Window,
+    },
+    /// The same with media that depend on the wavelength: each group of wave numbers has its own indices.
+    WindowedGroups {
+        /// The wave numbers.
+        window: Window,
+        /// The groups, which share them out in order.
+        groups: Vec<WindowGroup>,
     },
     /// The series truncated at an order, with sensitivities as wave numbers under a window.
     Cosines {
@@ -225,9 +233,22 @@ pub fn film_reflectance<S: Scalar, R: Lanes<S> + Value<Leaf = S::Leaf>>(
         let base_index = [base_ior, base_kappa];
         return dispersive_reflectance::<S, R>(film, nodes, media, thickness_nm, opd_nm, base_index);
     }
+    if let Method::WindowedGroups { window, groups } = &film.method {
+        let base_index = [base_ior, base_kappa];
+        let grouped = grouped_reflectance::<S, R>(film, window, groups, media, thickness_nm, opd_nm, base_index);
+        if !film.total_reflection {
+            return grouped;
+        }
+        let [base_ior, base_kappa] = channel_base::<S, R>(window, groups, base_index);
+        let terms = film_terms(true, media, wave, media.base_wave(film.base, base_ior, base_kappa));
+        let is_total_reflection = wave.q2_squared.less_than(0.0);
+        let frustrated = frustrated_reflectance::<S, S::Vec3>(film, terms, wave, opd_nm);
+        return S::Vec3::choose(is_total_reflection, frustrated, grouped);
+    }
     let base = media.base_wave(film.base, base_ior, base_kappa);
     let terms = film_terms(film.total_reflection, media, wave, base);
     let series = match &film.method {
+        Method::WindowedGroups { .. } => unreachable!("it has returned above"),
         Method::Spectral { nodes } => {
             return spectral_reflectance::<S, R>(film.total_reflection, nodes, terms, wave, opd_nm);
         }

@@ -12,7 +12,7 @@
 //! | [`FittedForm::AngleOnly`] | `P0` |
 //! | [`FittedForm::FirstOrder`] | `P0 - P1 g sum w cos(phi)` |
 //! | [`FittedForm::Kernel`] | `P0 - P1 sqrt(1 - X^2) sum w / (1 - X cos(phi))`, `X = P2 g` |
-//! | [`FittedForm::DampedKernel`] | `P0 - P1 h sum w (cos(phi) - B) / (1 + B^2 - 2 B cos(phi))`, `B = P2 g^p`, `h = min(g, t g^p)` |
+//! | [`FittedForm::DampedKernel`] | `P0 - P1 h sum w (cos(phi) - B) / (1 + B^2 - 2 B cos(phi))`, `B = P2 q`, `q = g^p e^(-s D)`, `h = min(g, t q)` |
 //! | the same with a first order of its own | and besides `- P3 h sum w cos(phi)` |
 //! | [`FittedForm::ThreeOrders`] | `P0 - sum w sum_(m = 1 .. 3) g^(m^2) (A_m cos(m phi) + B_m sin(m phi))` |
 //!
@@ -67,7 +67,7 @@ pub enum FittedMean {
 pub struct FittedNode {
     /// Wave number in vacuum, 1/nm.
     pub wave_number: f64,
-    /// What is added to its phase, radians. Not 0 only where the base absorbs.
+    /// What is added to its phase, radians.
     pub phase: f64,
     /// Share in each output channel.
     pub weight: [f64; 3],
@@ -99,7 +99,9 @@ pub enum FittedForm {
         round_trip: AnglePolynomial,
         /// `p`.
         exponent: f64,
-        /// Logarithm of `t`, above 0: how far the window closes before it closes faster, as its power `p`.
+        /// `s`, 1/nm: what a round trip loses with D, beside the window.
+        damping_slope: f64,
+        /// Logarithm of `t`, above 0: how far the window closes before it closes faster, as `q`.
         log_taper: f64,
         /// `P3`, what the first order has over the kernel's, if that is separate.
         first_order: Option<AnglePolynomial>,
@@ -150,8 +152,8 @@ pub fn fitted_reflectance<S: Scalar>(
             let kernels = sum::<S>(&fit.nodes, path_nm, |phase| 1.0 / (1.0 - kernel_sharpness * phase.cos()));
             mean - kernels * amplitude
         }
-        FittedForm::DampedKernel { contrast, round_trip, exponent, log_taper, first_order } => {
-            let log_damping = S::lit(*exponent) * log_window;
+        FittedForm::DampedKernel { contrast, round_trip, exponent, damping_slope, log_taper, first_order } => {
+            let log_damping = S::lit(*exponent) * log_window - S::lit(*damping_slope) * path_nm;
             let window = log_window.min(log_damping + S::lit(*log_taper)).exp();
             let amplitude = polynomial(contrast, y) * window;
             let trip = polynomial(round_trip, y) * log_damping.exp();

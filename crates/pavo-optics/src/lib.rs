@@ -16,6 +16,7 @@ pub mod cosines;
 pub mod film;
 pub mod fitted;
 pub mod fresnel;
+pub mod grouped;
 pub mod lambert;
 pub mod light;
 pub mod metalness;
@@ -31,6 +32,7 @@ pub mod windowed;
 
 pub use baked::BakedFilm;
 pub use film::{BaseKind, Film, Method};
+pub use grouped::WindowGroup;
 pub use poles::Pole;
 pub use series::{GaussianFit, GaussianTerm};
 pub use spectral::SpectralNode;

@@ -95,7 +95,7 @@ pub fn poles_reflectance<S: Scalar, R: Lanes<S> + Value<Leaf = S::Leaf>>(
 }
 
 /// Coefficients of the series for s and p polarisation.
-pub(crate) fn both_series_terms<S: Scalar, R: Lanes<S> + Value<Leaf = S::Leaf>>(
+pub fn both_series_terms<S: Scalar, R: Lanes<S> + Value<Leaf = S::Leaf>>(
     terms: FilmTerms<R>,
     media: Media<S>,
     q2: S,

@@ -1,6 +1,6 @@
 //! The whole surface: Fresnel or the film, microfacets, diffuse reflection, and a punctual light.
 
-use crate::baked::{BakedFilm, baked_reflectance};
+use crate::baked::{BakedFilm, baked};
 use crate::film::{BaseKind, Film, film_reflectance};
 use crate::fitted::{FittedFilm, fitted_reflectance};
 use crate::fresnel::{fresnel_conductor, fresnel_dielectric, fresnel_schlick, grey, ior_from_reflectance};
@@ -162,7 +162,7 @@ pub fn surface_reflectance<S: Scalar>(
             let none = S::Vec3::lit(0.0);
             film_reflectance::<S, S::Vec3>(film, cos_theta1, thickness_nm, ambient_ior, film_ior, base_ior, none)
         }
-        Specular::Baked(film) => baked_reflectance::<S>(film, cos_theta1),
+        Specular::Baked(film) => baked::<S>(film, cos_theta1),
         Specular::Fitted(film) => fitted_reflectance::<S>(film, cos_theta1, thickness_nm),
         Specular::Table(table) => table_reflectance::<S>(table, cos_theta1, thickness_nm),
         Specular::Bare(BaseKind::Dielectric { .. }) => grey::<S>(fresnel_dielectric(cos_theta1, ambient_ior, base_ior)),

@@ -15,6 +15,7 @@ use pavo_shade::{Lanes, Real, Scalar, Value, Vector, shade};
 
 /// Equally spaced wave numbers with weights, under a window.
 #[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Window {
     /// The first angular wave number, radians per nm.
     pub first: f64,
@@ -60,6 +61,57 @@ pub fn window_terms<S: Scalar, R: Lanes<S> + Value<Leaf = S::Leaf>>(
     WindowTerms { strength, offset: one + modulus, re: R::lit(2.0) * round_trip, im: R::lit(2.0) * round_trip_im }
 }
 
+/// Both polarisations under the window, at one optical path difference: `rest` less what the nodes contribute is the
+/// reflectance.
+#[shade]
+pub struct WindowedFilm<R: Real> {
+    /// What does not depend on the phase: `1 - sum_pol Q (1 - kappa) / 2`.
+    pub rest: R,
+    /// s polarisation.
+    pub s: WindowTerms<R>,
+    /// p polarisation.
+    pub p: WindowTerms<R>,
+}
+
+impl<R: Real> WindowedFilm<R> {
+    /// A film under a window of a width, in nm, at an optical path difference.
+    pub fn new<S: Scalar>(width_nm: f64, series: [SeriesTerms<R>; 2], opd_nm: S) -> Self
+    where
+        R: Lanes<S> + Value<Leaf = S::Leaf>,
+    {
+        Self::under(closing(width_nm, opd_nm), series)
+    }
+
+    /// A film under a window that has closed to g; with it its square, held at 0.01 or above.
+    pub(crate) fn under<S: Scalar>([g, g_squared]: [S; 2], [s, p]: [SeriesTerms<R>; 2]) -> Self
+    where
+        R: Lanes<S> + Value<Leaf = S::Leaf>,
+    {
+        let window_s = window_terms::<S, R>(s, g, g_squared).named("window_s");
+        let window_p = window_terms::<S, R>(p, g, g_squared).named("window_p");
+        // Q (1 - kappa) / 2 over both polarisations.
+        let transmittance = s.transmittance + p.transmittance;
+        let rest = (S::lit(0.5) - S::lit(0.5) / g_squared).named("rest");
+        Self { rest: R::lit(1.0) - transmittance * R::from_scalar(rest), s: window_s, p: window_p }
+    }
+
+    /// What a node of weight 1 contributes, by the cosine and sine of its phase.
+    pub fn node(&self, cosine: R, sine: R) -> R {
+        let contribution = |terms: WindowTerms<R>| {
+            let denominator = terms.offset - terms.re * cosine + terms.im * sine;
+            terms.strength / denominator.max(R::lit(1e-12))
+        };
+        contribution(self.s) + contribution(self.p)
+    }
+}
+
+/// How far a window of a width, in nm, closes at an optical path difference: g, and its square, held at 0.01 or above.
+pub(crate) fn closing<S: Scalar>(width_nm: f64, opd_nm: S) -> [S; 2] {
+    let spread = (opd_nm * S::lit(1.0 / width_nm)).named("spread");
+    let g = (-(spread * spread)).exp().named("window");
+    [g, (g * g).max(S::lit(0.01)).named("window_squared")]
+}
+
 /// Reflectance of the film by equally spaced wave numbers under a window, all orders.
 pub fn windowed_reflectance<S: Scalar, R: Lanes<S> + Value<Leaf = S::Leaf>>(
     window: &Window,
@@ -69,23 +121,11 @@ pub fn windowed_reflectance<S: Scalar, R: Lanes<S> + Value<Leaf = S::Leaf>>(
     base: BaseWave<R>,
     opd_nm: S,
 ) -> S::Vec3 {
-    let [s, p] = both_series_terms(terms, media, q2, base);
-    let spread = (opd_nm * S::lit(1.0 / window.width_nm)).named("spread");
-    let g = (-(spread * spread)).exp().named("window");
-    let g_squared = (g * g).max(S::lit(0.01)).named("window_squared");
-    let window_s = window_terms::<S, R>(s, g, g_squared).named("window_s");
-    let window_p = window_terms::<S, R>(p, g, g_squared).named("window_p");
-    // Q (1 - kappa) / 2 over both polarisations.
-    let transmittance = s.transmittance + p.transmittance;
-    let rest = (S::lit(0.5) - S::lit(0.5) / g_squared).named("rest");
-    let mut color = (R::lit(1.0) - transmittance * R::from_scalar(rest)).into_vec3();
+    let film = WindowedFilm::new(window.width_nm, both_series_terms(terms, media, q2, base), opd_nm);
+    let mut color = film.rest.into_vec3();
     for (phase, weight) in phases(window, opd_nm).into_iter().zip(&window.weights) {
         let [cosine, sine] = phase.map(R::from_scalar);
-        let contribution = |terms: WindowTerms<R>| {
-            let denominator = terms.offset - terms.re * cosine + terms.im * sine;
-            terms.strength / denominator.max(R::lit(1e-12))
-        };
-        let node = (contribution(window_s) + contribution(window_p)).named("node");
+        let node = film.node(cosine, sine).named("node");
         color = (color - S::Vec3::lit3(*weight) * node.into_vec3()).named("color");
     }
     color

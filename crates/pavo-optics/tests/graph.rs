@@ -2,11 +2,12 @@
 
 mod common;
 
-use common::{Random, film, order_sums, wide_fit};
+use common::{Random, film, order_sums, wide_fit, window};
 use glam::DVec3;
 use pavo_optics::surface::shade_surface;
 use pavo_optics::{
     BakedFilm, BaseKind, Directions, Film, Finish, Layers, Light, Method, SpectralNode, Specular, Surface, VisibilityK,
+    WindowGroup,
 };
 use pavo_shade::{Expr, Graph, Input, Rate, Real, Scalar, Type, Vector, interpret};
 
@@ -90,6 +91,12 @@ fn nodes([first, second]: [Option<(f64, f64)>; 2]) -> Vec<SpectralNode> {
     vec![node(600.0, [0.8, 0.3, 0.0], first), node(470.0, [0.2, 0.7, 1.0], second)]
 }
 
+fn grouped([first, second]: [Option<(f64, f64)>; 2], film: Option<f64>) -> Method {
+    let group = |nodes, base, film| WindowGroup { nodes, base, film };
+    let groups = vec![group(2, first, None), group(3, second, film)];
+    Method::WindowedGroups { window: window(2500.0), groups }
+}
+
 /// Each kind of surface by each method, with and without total reflection.
 fn surfaces() -> Vec<Surface> {
     let dielectric = BaseKind::Dielectric { total_reflection: false };
@@ -110,11 +117,17 @@ fn surfaces() -> Vec<Surface> {
     }
     for total_reflection in [false, true] {
         speculars.push(Specular::Film(film(BaseKind::Conductor, total_reflection, spectral(dispersive))));
+        for film_ior in [None, Some(1.6)] {
+            let method = grouped(dispersive, film_ior);
+            speculars.push(Specular::Film(film(BaseKind::Conductor, total_reflection, method)));
+        }
     }
     speculars.extend([dielectric, BaseKind::Conductor].map(Specular::Bare));
     speculars.extend([Specular::BareSpectral(nodes(dispersive)), Specular::BareMetalness]);
     let coefficients = vec![[0.4, 0.3, 0.5], [-0.2, 0.1, 0.0], [0.1, 0.1, -0.2]];
-    speculars.push(Specular::Baked(BakedFilm { coefficients }));
+    for denominator in [vec![], vec![[0.3, -0.2, 0.1], [0.1, 0.4, -0.3]]] {
+        speculars.push(Specular::Baked(BakedFilm { coefficients: coefficients.clone(), denominator }));
+    }
     let mut surfaces: Vec<Surface> = speculars
         .into_iter()
         .map(|specular| Surface { specular, diffuse: true, visibility_k: VisibilityK::Punctual })
@@ -166,7 +179,7 @@ fn reflects_totally(surface: &Surface) -> bool {
 #[test]
 fn surfaces_under_total_reflection_agree() {
     let surfaces: Vec<Surface> = surfaces().into_iter().filter(reflects_totally).collect();
-    assert_eq!(surfaces.len(), 25);
+    assert_eq!(surfaces.len(), 27);
     for (index, surface) in surfaces.iter().enumerate() {
         for varying in [[true; 8], [false; 8]] {
             check(surface, &Parameters { numbers: UNDER_GLASS, varying }, 300 + index as u64);

@@ -5,7 +5,7 @@ mod common;
 
 use common::{Case, DIELECTRIC, colour, film, moderate_cases, poles, window};
 use num_complex::Complex64;
-use pavo_optics::{BaseKind, Method, Pole, Window};
+use pavo_optics::{BaseKind, Method, Pole, Window, WindowGroup};
 use std::f64::consts::TAU;
 
 const KINDS: [(u64, BaseKind); 2] = [(70, DIELECTRIC), (71, BaseKind::Conductor)];
@@ -79,6 +79,35 @@ fn kernels_sum_all_orders_and_damp_the_first_two_by_the_window() {
             }
             damping * waves(&window, path, channel)
         });
+    }
+}
+
+#[test]
+fn groups_of_wave_numbers_have_indices_of_their_own() {
+    // Each channel draws on one group alone.
+    let weights = vec![[0.4, 0.0, 0.0], [0.6, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 0.7], [0.0, 0.0, 0.3]];
+    let window = Window { weights, ..window(2500.0) };
+    let bases = [(0.3, 3.4), (0.6, 2.5), (1.4, 1.8)];
+    let films = [1.5, 1.55, 1.62];
+    for own_film in [false, true] {
+        let group = |index: usize, nodes| WindowGroup {
+            nodes,
+            base: Some(bases[index]),
+            film: own_film.then_some(films[index]),
+        };
+        let groups = vec![group(0, 2), group(1, 1), group(2, 2)];
+        let method = Method::WindowedGroups { window: window.clone(), groups };
+        for case in moderate_cases(76, BaseKind::Conductor, 0.98, 200) {
+            let found = colour(&film(BaseKind::Conductor, false, method.clone()), &case);
+            for channel in 0..3 {
+                let (base_ior, base_kappa) = bases[channel];
+                let film_ior = if own_film { films[channel] } else { case.film_ior };
+                let case = Case { base_ior, base_kappa, film_ior, ..case };
+                let plain = film(BaseKind::Conductor, false, Method::Windowed { window: window.clone() });
+                let expected = colour(&plain, &case)[channel];
+                assert!((found[channel] - expected).abs() <= 1e-12, "{case:?}: {} {expected}", found[channel]);
+            }
+        }
     }
 }
 

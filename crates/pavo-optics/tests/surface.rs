@@ -85,7 +85,14 @@ fn speculars() -> Vec<Specular> {
             dispersive(470.0, [0.2, 0.7, 1.0], (1.4, 1.9)),
         ]),
         Specular::BareMetalness,
-        Specular::Baked(BakedFilm { coefficients: vec![[0.4, 0.3, 0.5], [-0.2, 0.1, 0.0], [0.1, 0.1, -0.2]] }),
+        Specular::Baked(BakedFilm {
+            coefficients: vec![[0.4, 0.3, 0.5], [-0.2, 0.1, 0.0], [0.1, 0.1, -0.2]],
+            denominator: vec![],
+        }),
+        Specular::Baked(BakedFilm {
+            coefficients: vec![[0.4, 0.3, 0.5], [-0.2, 0.1, 0.0], [0.1, 0.1, -0.2]],
+            denominator: vec![[0.3, -0.2, 0.1], [0.1, 0.4, -0.3]],
+        }),
     ]
 }
 
@@ -125,8 +132,11 @@ fn expected_reflectance(specular: &Specular, point: &Point) -> DVec3 {
         Specular::Table(table) => table_reflectance::<f64>(table, cos_theta1, thickness_nm),
         Specular::Baked(baked) => {
             let t = 2.0 * cos_theta1 - 1.0;
-            let powers = baked.coefficients.iter().enumerate();
-            powers.map(|(power, coefficients)| DVec3::from(*coefficients) * t.powi(power as i32)).sum()
+            let sum = |coefficients: &[[f64; 3]], first: i32| -> DVec3 {
+                let powers = (first..).zip(coefficients);
+                powers.map(|(power, coefficients)| DVec3::from(*coefficients) * t.powi(power)).sum()
+            };
+            sum(&baked.coefficients, 0) / (1.0 + sum(&baked.denominator, 1))
         }
     }
 }

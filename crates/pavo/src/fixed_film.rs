@@ -2,23 +2,44 @@
 //! a form fitted to the reflectance. Each is made from the exact reference.
 
 use crate::baking::{chebyshev_cosines, polynomial};
-use crate::fitting::{FitCache, SceneRequest, scene_fit};
+use crate::fitting::{FitCache, GroupsRequest, SceneRequest, groups_fit, rational_fit, scene_fit};
 use crate::inputs::ShadingQuantity;
 use crate::methods::MethodError;
 use crate::shading::{Shading, ShadingError};
 use crate::variant::Variant;
-use pavo_optics::{BakedFilm, FilmTable, Specular};
+use pavo_optics::{BakedFilm, Film, FilmTable, Specular};
 use pavo_shade::Table;
+use pavo_spectra::Stack;
+
+/// How many angles a quotient of polynomials is fitted at.
+const RATIONAL_SAMPLES: usize = 400;
 
 /// The film by the variant, or nothing where the variant is a method for films of any index.
 pub(crate) fn specular(shading: &Shading, cache: &dyn FitCache) -> Result<Option<Specular>, ShadingError> {
     let specular = match *shading.variant() {
-        Variant::Baked { degree, .. } => {
+        Variant::Baked { degree, denominator: 0 } => {
             only_varies(shading, &[], "baked is for uniform surfaces")?;
             let cosines = chebyshev_cosines(degree + 1);
             let points: Vec<Vec<f64>> = cosines.into_iter().map(|cosine| vec![cosine]).collect();
             let values = shading.reference_each(ShadingQuantity::Reflectance, &points)?;
-            Specular::Baked(BakedFilm { coefficients: polynomial(&values) })
+            Specular::Baked(BakedFilm { coefficients: polynomial(&values), denominator: Vec::new() })
+        }
+        Variant::Baked { degree, denominator } => {
+            only_varies(shading, &[], "baked is for uniform surfaces")?;
+            let cosines = chebyshev_cosines(RATIONAL_SAMPLES);
+            let points: Vec<Vec<f64>> = cosines.iter().map(|&cosine| vec![cosine]).collect();
+            let values = shading.reference_each(ShadingQuantity::Reflectance, &points)?;
+            let samples: Vec<(f64, [f64; 3])> = cosines.into_iter().zip(values).collect();
+            let film = rational_fit(&samples, degree, denominator);
+            Specular::Baked(film.map_err(|error| refused(shading, error))?)
+        }
+        Variant::Windowed { count, groups: Some(groups) } => {
+            only_varies(shading, &["thickness_nm"], "groups are for films of fixed indices")?;
+            let (film, media, thickness_nm) = dispersive_film(shading)?;
+            let sensitivities = shading.sensitivities();
+            let request = GroupsRequest { media: &media, thickness_nm, sensitivities, count, groups };
+            let method = groups_fit(&request, cache).map_err(|error| refused(shading, error))?;
+            Specular::Film(Film { method, ..film })
         }
         Variant::Table { angles, thicknesses } => {
             only_varies(shading, &["thickness_nm"], "a table is over angle and thickness")?;
@@ -31,9 +52,7 @@ pub(crate) fn specular(shading: &Shading, cache: &dyn FitCache) -> Result<Option
                 return Err(refused(shading, no_film()));
             };
             let request = SceneRequest {
-                ambient_ior: media.ambient_ior(),
-                film: media.film().clone(),
-                base: media.base().clone(),
+                media: &media,
                 thickness_nm,
                 sensitivities: shading.sensitivities(),
                 form,
@@ -45,6 +64,22 @@ pub(crate) fn specular(shading: &Shading, cache: &dyn FitCache) -> Result<Option
         _ => return Ok(None),
     };
     Ok(Some(specular))
+}
+
+/// The film on a scene's base, its media and its range of thickness, where an index depends on the wavelength.
+fn dispersive_film(shading: &Shading) -> Result<(Film, Stack, [f64; 2]), ShadingError> {
+    let film = match shading.specular() {
+        Specular::Film(film) | Specular::FilmOnChannels { film, .. } => film.clone(),
+        _ => return Err(refused(shading, no_film())),
+    };
+    let (Some(media), Some(thickness_nm)) = (shading.fixed_stack()?, shading.thickness_nm()) else {
+        return Err(refused(shading, no_film()));
+    };
+    if media.film().as_constant().is_some() && media.base().as_constant().is_some() {
+        let cause = "its indices are the same at every wavelength, so that there is nothing to group".to_owned();
+        return Err(refused(shading, (cause, "leave out groups".to_owned())));
+    }
+    Ok((film, media, thickness_nm))
 }
 
 fn no_film() -> MethodError {

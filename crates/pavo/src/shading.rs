@@ -115,6 +115,11 @@ impl Shading {
         &self.variant
     }
 
+    /// What reflects.
+    pub(crate) fn specular(&self) -> &Specular {
+        &self.surface.specular
+    }
+
     /// The sensitivities of the output channels.
     pub(crate) fn sensitivities(&self) -> &Sensitivities {
         &self.sensitivities

@@ -1,14 +1,14 @@
 //! The fit of a scene: its points, the choice of a form, and the error on points held out.
 
 use super::error::SceneFitError;
-use super::fresnel::Media;
 use super::layout::{Fixed, Layout};
 use super::model::Sample;
 use super::plan::{Form, Plan};
-use super::points::spread;
 use super::request::{SceneFit, SceneFitRequest};
 use super::solve::solve;
-use nalgebra::Complex;
+use crate::media::Media;
+use crate::points::spread;
+use num_complex::Complex64;
 use pavo_optics::fitted::{FittedFilm, fitted_reflectance};
 use pavo_spectra::{OpticalConstants, Point, Reference, Stack};
 
@@ -35,7 +35,7 @@ pub fn fit_scene(request: &SceneFitRequest<'_>) -> Result<SceneFit, SceneFitErro
         return Err(SceneFitError::FilmIndex { ambient_ior, film_ior, wavelength_nm: MIDDLE_NM });
     }
     let fixed = Fixed { ambient_ior, film_ior, thickness_nm: request.thickness_nm };
-    let media = Media { ambient_ior, film_ior, base: Complex::new(ior, kappa) };
+    let media = Media { ambient: ambient_ior, film: film_ior, base: Complex64::new(ior, kappa) };
 
     let reference = Reference::new(request.sensitivities);
     let prepared = reference.prepare(&stack);

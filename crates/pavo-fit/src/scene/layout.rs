@@ -26,9 +26,20 @@ pub(super) struct Layout {
     pub phases: Range<usize>,
     /// By wave, within it by channel.
     pub weights: Range<usize>,
-    /// The window's exponent, and after it the logarithm of its taper, where it has them.
-    pub exponent: usize,
+    /// The damping of a round trip, where it has its own.
+    pub damping: Option<Damping>,
     pub count: usize,
+}
+
+/// The places of what damps a round trip.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Damping {
+    /// The window's exponent.
+    pub exponent: usize,
+    /// The loss with D, 1/um.
+    pub slope: usize,
+    /// The logarithm of the taper.
+    pub log_taper: usize,
 }
 
 impl Layout {
@@ -44,13 +55,16 @@ impl Layout {
             count += length;
             range
         };
-        let exponent = take(if plan.has_exponent() { 2 } else { 0 }).start;
+        let damping = plan.has_damping().then(|| {
+            let places = take(3).start;
+            Damping { exponent: places, slope: places + 1, log_taper: places + 2 }
+        });
         let mean = take((plan.mean_degree + 1) * if plan.mean_per_channel { 3 } else { 1 });
         let polynomials = plan.degrees.iter().map(|degree| take(degree + 1)).collect();
         let wave_numbers = take(plan.nodes);
         let phases = take(if plan.has_phases() { plan.nodes } else { 0 });
         let weights = take(3 * plan.nodes);
-        Self { plan, mean, polynomials, wave_numbers, phases, weights, exponent, count }
+        Self { plan, mean, polynomials, wave_numbers, phases, weights, damping, count }
     }
 
     /// The weight of a wave in a channel.
@@ -67,13 +81,17 @@ impl Layout {
             Form::AngleOnly => FittedForm::AngleOnly,
             Form::FirstOrder => FittedForm::FirstOrder { contrast: next() },
             Form::Kernel => FittedForm::Kernel { contrast: next(), sharpness: next() },
-            Form::DampedKernel | Form::CorrectedKernel => FittedForm::DampedKernel {
-                contrast: next(),
-                round_trip: next(),
-                exponent: parameters[self.exponent],
-                log_taper: parameters[self.exponent + 1],
-                first_order: (self.plan.form == Form::CorrectedKernel).then(next),
-            },
+            Form::DampedKernel | Form::CorrectedKernel => {
+                let of_damping = |place: fn(Damping) -> usize| self.damping.map_or(0.0, |at| parameters[place(at)]);
+                FittedForm::DampedKernel {
+                    contrast: next(),
+                    round_trip: next(),
+                    exponent: of_damping(|at| at.exponent),
+                    damping_slope: of_damping(|at| at.slope) / 1000.0,
+                    log_taper: of_damping(|at| at.log_taper),
+                    first_order: (self.plan.form == Form::CorrectedKernel).then(next),
+                }
+            }
             Form::ThreeOrders => {
                 FittedForm::ThreeOrders { cosines: [next(), next(), next()], sines: [next(), next(), next()] }
             }

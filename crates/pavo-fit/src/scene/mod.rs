@@ -10,11 +10,9 @@
 
 mod choose;
 mod error;
-mod fresnel;
 mod layout;
 mod model;
 mod plan;
-mod points;
 mod problem;
 mod random;
 mod request;

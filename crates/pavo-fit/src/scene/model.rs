@@ -34,11 +34,12 @@ pub(super) fn is_admissible(layout: &Layout, parameters: &[f64]) -> bool {
     if parameters.iter().any(|parameter| !parameter.is_finite()) || !(0.05..=4.0).contains(&offset) {
         return false;
     }
-    if layout.plan.has_exponent() {
-        let [exponent, log_taper] = [parameters[layout.exponent], parameters[layout.exponent + 1]];
-        if !(1.0..=20.0).contains(&exponent) || !(0.0..=20.0).contains(&log_taper) {
-            return false;
-        }
+    if let Some(at) = layout.damping
+        && !((1.0..=20.0).contains(&parameters[at.exponent])
+            && (0.0..=20.0).contains(&parameters[at.slope])
+            && (0.0..=20.0).contains(&parameters[at.log_taper]))
+    {
+        return false;
     }
     let Some(bounded) = layout.plan.bounded() else { return true };
     let coefficients = &parameters[layout.polynomials[bounded].clone()];
@@ -60,8 +61,9 @@ pub(super) fn evaluate(
         form: layout.plan.form,
         polynomials: [0.0; MOST_POLYNOMIALS],
         log_window: -(parameters[Layout::WINDOW] * sample.path_um).powi(2),
-        exponent: parameters[layout.exponent],
-        log_taper: parameters[layout.exponent + 1],
+        exponent: layout.damping.map_or(0.0, |at| parameters[at.exponent]),
+        log_loss: layout.damping.map_or(0.0, |at| -parameters[at.slope] * sample.path_um),
+        log_taper: layout.damping.map_or(0.0, |at| parameters[at.log_taper]),
     };
     let mut slopes = [0.0; MOST_POLYNOMIALS];
     for (index, range) in layout.polynomials.iter().enumerate() {
@@ -113,9 +115,10 @@ pub(super) fn evaluate(
             Layout::WINDOW,
             -2.0 * parameters[Layout::WINDOW] * sample.path_um * sample.path_um * by_log_window,
         );
-        if layout.plan.has_exponent() {
-            derivative(channel, layout.exponent, total(&|wave| wave.by_exponent));
-            derivative(channel, layout.exponent + 1, total(&|wave| wave.by_log_taper));
+        if let Some(at) = layout.damping {
+            derivative(channel, at.exponent, total(&|wave| wave.by_exponent));
+            derivative(channel, at.slope, -sample.path_um * total(&|wave| wave.by_log_loss));
+            derivative(channel, at.log_taper, total(&|wave| wave.by_log_taper));
         }
         for (node, wave) in waves.iter().enumerate() {
             let by_phase = -weights[node] * wave.by_phase;
@@ -131,18 +134,18 @@ pub(super) fn evaluate(
 
 #[cfg(test)]
 mod tests {
-    use super::super::fresnel::Media;
     use super::super::plan::{Form, Plan};
     use super::super::random::Random;
     use super::super::start::start;
     use super::*;
-    use nalgebra::Complex;
+    use crate::media::Media;
+    use num_complex::Complex64;
     use pavo_optics::fitted::fitted_reflectance;
 
     const FIXED: Fixed = Fixed { ambient_ior: 1.0, film_ior: 1.5, thickness_nm: [0.0, 3000.0] };
 
     fn cases() -> Vec<(Layout, Vec<f64>)> {
-        let media = Media { ambient_ior: 1.0, film_ior: 1.5, base: Complex::new(2.7, 0.4) };
+        let media = Media { ambient: 1.0, film: 1.5, base: Complex64::new(2.7, 0.4) };
         let mut random = Random::new(5);
         let mut case = |form, coloured| {
             let layout = Layout::new(Plan::new(form, 4, coloured));

@@ -71,14 +71,19 @@ impl Plan {
         Self { form, nodes, mean_degree, mean_per_channel, degrees }
     }
 
-    /// Whether the window has an exponent.
-    pub fn has_exponent(&self) -> bool {
+    /// Whether a round trip has a damping of its own.
+    pub fn has_damping(&self) -> bool {
         matches!(self.form, Form::DampedKernel | Form::CorrectedKernel)
     }
 
-    /// Whether the waves have phases of their own.
+    /// Whether the waves have phases of their own: an absorbing base turns them, and a few waves under a sharp kernel fit
+    /// better with them; more no longer do.
     pub fn has_phases(&self) -> bool {
-        self.form == Form::ThreeOrders
+        match self.form {
+            Form::ThreeOrders => true,
+            Form::DampedKernel => self.nodes <= 4,
+            _ => false,
+        }
     }
 
     /// The polynomial that must stay within -1 and 1, by its place among the others.
@@ -103,8 +108,8 @@ impl Plan {
             Form::AngleOnly => angle + polynomials,
             Form::FirstOrder => angle + path + polynomials + 4 + 1 + 3 + node * self.nodes,
             Form::Kernel => angle + path + polynomials + 4 + 1 + 1 + 4 + 1 + 3 + (node + 1 + 4) * self.nodes,
-            Form::DampedKernel => angle + path + polynomials + 10 + 4 + 3 + (node + 1 + 1 + 4 + 1) * self.nodes,
-            Form::CorrectedKernel => angle + path + polynomials + 10 + 5 + (node + 1 + 1 + 4 + 1 + 2) * self.nodes,
+            Form::DampedKernel => angle + path + polynomials + 11 + 4 + 3 + (node + 1 + 1 + 4 + 1) * self.nodes,
+            Form::CorrectedKernel => angle + path + polynomials + 11 + 5 + (node + 1 + 1 + 4 + 1 + 2) * self.nodes,
             Form::ThreeOrders => angle + path + polynomials + 4 + 4 + 9 + 3 + (node + 4 + 7) * self.nodes,
         }
     }

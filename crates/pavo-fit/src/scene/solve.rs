@@ -1,11 +1,11 @@
 //! Many starts over few points, then the best of them over all points.
 
-use super::fresnel::Media;
 use super::layout::Layout;
 use super::model::Sample;
 use super::problem::{Solution, improve, solve_linear_part};
 use super::random::Random;
 use super::start::start;
+use crate::media::Media;
 use rayon::prelude::*;
 
 /// How many starts a form gets.

@@ -1,14 +1,19 @@
 //! Where a fit begins: polynomials from the Fresnel formulas, waves over the visible range, shifted at random.
 
-use super::fresnel::{Media, Polarisation};
 use super::layout::Layout;
 use super::plan::Form;
-use super::points::LEAST_COS;
 use super::random::Random;
+use crate::media::Media;
+use crate::points::LEAST_COS;
 use nalgebra::{DMatrix, DVector};
+use num_complex::Complex64;
+use pavo_optics::series::SeriesTerms;
 
 /// The wave numbers between which the waves are spread, 1/um: 633 to 424 nm. The best fits have theirs there.
 const SPREAD_WAVE_NUMBERS: [f64; 2] = [1.58, 2.36];
+
+/// What a round trip loses with D at the start, 1/um: a little, so that it may fall.
+const SLOPE: f64 = 0.05;
 
 /// How close the amplitude of a round trip may come to 1 at the start.
 const LARGEST_ROUND_TRIP: f64 = 0.97;
@@ -27,16 +32,17 @@ pub(super) fn start(layout: &Layout, media: Media, random: &mut Random) -> Vec<f
     }
     // Each wave stands for a band of about the spacing's width: the window is that band's transform.
     parameters[Layout::WINDOW] = 2.0 * spacing * random.within(1.6, 2.8);
-    if plan.has_exponent() {
-        parameters[layout.exponent] = random.within(2.5, 4.0);
-        parameters[layout.exponent + 1] = random.within(5.0, 14.0);
+    if let Some(at) = layout.damping {
+        parameters[at.exponent] = random.within(2.5, 4.0);
+        parameters[at.slope] = SLOPE;
+        parameters[at.log_taper] = random.within(5.0, 14.0);
     }
     for weight in &mut parameters[layout.weights.clone()] {
         *weight = 1.0 / plan.nodes as f64;
     }
     for (index, range) in layout.polynomials.iter().enumerate() {
         let limit = if plan.bounded() == Some(index) { LARGEST_ROUND_TRIP } else { f64::INFINITY };
-        let target = |cos: f64| target(plan.form, index, media.polarisations(cos)).clamp(-limit, limit);
+        let target = |cos: f64| target(plan.form, index, media.series(cos)).clamp(-limit, limit);
         let mut coefficients = interpolate(&target, range.len(), offset);
         if limit.is_finite() {
             keep_within(&mut coefficients, limit, offset);
@@ -47,11 +53,11 @@ pub(super) fn start(layout: &Layout, media: Media, random: &mut Random) -> Vec<f
 }
 
 /// The value that a polynomial should have at an angle, by its place among those of the form.
-fn target(form: Form, index: usize, polarisations: [Polarisation; 2]) -> f64 {
-    let mean = |part: &dyn Fn(Polarisation) -> f64| polarisations.map(part).iter().sum::<f64>() / 2.0;
+fn target(form: Form, index: usize, polarisations: [SeriesTerms<f64>; 2]) -> f64 {
+    let mean = |part: &dyn Fn(SeriesTerms<f64>) -> f64| polarisations.map(part).iter().sum::<f64>() / 2.0;
     let transmittance = mean(&|polarisation| polarisation.transmittance);
     let round_trip =
-        mean(&|polarisation| polarisation.transmittance * polarisation.round_trip.re) / transmittance.max(1e-9);
+        mean(&|polarisation| polarisation.transmittance * polarisation.round_trip) / transmittance.max(1e-9);
     match (form, index) {
         (Form::FirstOrder, _) | (Form::DampedKernel | Form::CorrectedKernel, 0) => 2.0 * transmittance * round_trip,
         (Form::Kernel, 0) => transmittance,
@@ -59,8 +65,10 @@ fn target(form: Form, index: usize, polarisations: [Polarisation; 2]) -> f64 {
         (Form::DampedKernel | Form::CorrectedKernel, 1) => round_trip,
         (Form::ThreeOrders, _) => {
             let order = index as i32 % 3 + 1;
-            let power = |polarisation: Polarisation| polarisation.round_trip.powi(order);
-            let part = |polarisation: Polarisation| {
+            let power = |polarisation: SeriesTerms<f64>| {
+                Complex64::new(polarisation.round_trip, polarisation.round_trip_im).powi(order)
+            };
+            let part = |polarisation: SeriesTerms<f64>| {
                 if index < 3 { power(polarisation).re } else { -power(polarisation).im }
             };
             2.0 * mean(&|polarisation| polarisation.transmittance * part(polarisation))

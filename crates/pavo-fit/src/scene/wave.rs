@@ -1,7 +1,7 @@
 //! The thickness-dependent part of each form at one point, with its derivatives.
 //!
 //! Every form is `R_j = P0_j - sum_k w_jk t_k`, where `t_k` depends on the other polynomials' values at the angle, on the
-//! logarithm of the window, on the window's exponent, and on the phase of its wave.
+//! logarithm of the window, on the damping of a round trip, and on the phase of its wave.
 
 use super::plan::Form;
 
@@ -18,7 +18,9 @@ pub(super) struct Local {
     pub log_window: f64,
     /// Exponent of the window.
     pub exponent: f64,
-    /// Logarithm of what the window's power is scaled by.
+    /// Logarithm of what a round trip loses besides.
+    pub log_loss: f64,
+    /// Logarithm of what the round trip's damping is scaled by, where the first order takes it for its window.
     pub log_taper: f64,
 }
 
@@ -29,6 +31,7 @@ pub(super) struct Wave {
     pub by_polynomial: [f64; MOST_POLYNOMIALS],
     pub by_log_window: f64,
     pub by_exponent: f64,
+    pub by_log_loss: f64,
     pub by_log_taper: f64,
     pub by_phase: f64,
 }
@@ -72,11 +75,11 @@ impl Local {
         wave
     }
 
-    /// `P1 h (u - B) / (1 + B^2 - 2 B u)`, `B = P2 g^p`, `h = min(g, t g^p)`, and with a first order of its own `P3 h u`
-    /// besides.
+    /// `P1 h (u - B) / (1 + B^2 - 2 B u)`, `B = P2 q`, `q = g^p e^(-s D)`, `h = min(g, t q)`, and with a first order of its
+    /// own `P3 h u` besides.
     fn damped_kernel(&self, phase: f64) -> Wave {
         let [contrast, round_trip, first_order, ..] = self.polynomials;
-        let log_damping = self.exponent * self.log_window;
+        let log_damping = self.exponent * self.log_window + self.log_loss;
         let tapers = log_damping + self.log_taper < self.log_window;
         let window = self.log_window.min(log_damping + self.log_taper).exp();
         let damping = log_damping.exp();
@@ -92,9 +95,9 @@ impl Local {
         wave.by_polynomial[1] = by_trip * damping;
         wave.by_polynomial[2] = window * cosine;
         wave.by_log_taper = if tapers { wave.value } else { 0.0 };
-        wave.by_log_window =
-            if tapers { self.exponent * wave.value } else { wave.value } + by_trip * trip * self.exponent;
-        wave.by_exponent = (wave.by_log_taper + by_trip * trip) * self.log_window;
+        wave.by_log_loss = wave.by_log_taper + by_trip * trip;
+        wave.by_exponent = wave.by_log_loss * self.log_window;
+        wave.by_log_window = if tapers { 0.0 } else { wave.value } + wave.by_log_loss * self.exponent;
         wave.by_phase = -sine * (contrast * window * (1.0 - trip * trip) * inverse * inverse + correction);
         wave
     }

@@ -3,7 +3,7 @@
 use num_complex::Complex64;
 use pavo_spectra::OpticalConstants;
 
-use super::film::Media;
+use crate::media::Media;
 
 /// A kind of film.
 #[derive(Debug, Clone, PartialEq)]

@@ -1,15 +1,18 @@
 //! Points of films with their exact reflectance: what windowed nodes are fitted to, and what every fit is judged by.
 
-use pavo_spectra::fits::{FitFamily, SensitivityFit};
+use pavo_optics::film::film_reflectance;
+use pavo_optics::{BaseKind, Film};
+use pavo_spectra::fits::SensitivityFit;
 use pavo_spectra::{OpticalConstants, Point, Reference, Sensitivities, Stack};
 
 use super::classes::FilmClass;
-use super::film::FilmPoint;
+use crate::media::Media;
+use crate::method::closed_form;
 
 /// Points of films, and the exact reflectance of each in three channels.
 #[derive(Debug, Clone, Default)]
 pub struct FilmSamples {
-    pub(super) points: Vec<FilmPoint>,
+    pub(super) points: Vec<(Media, Point)>,
     pub(super) values: Vec<[f64; 3]>,
 }
 
@@ -38,8 +41,7 @@ impl FilmSamples {
             let (Ok(film), Ok(base)) = (film, base) else { continue };
             let Ok(stack) = Stack::new(media.ambient, film, base) else { continue };
             let places = places(class);
-            let point = |place: &Point| FilmPoint::new(media, place.cos_theta1, place.thickness_nm);
-            samples.points.extend(places.iter().map(point));
+            samples.points.extend(places.iter().map(|&place| (media, place)));
             samples.values.extend(reference.prepare(&stack).reflectance_of_each(&places));
         }
         samples
@@ -48,15 +50,18 @@ impl FilmSamples {
     /// The errors of the reflectance that a fit gives; `None` for the families that are used as a series of orders
     /// (Gaussians), whose error depends on how many are taken.
     pub fn errors(&self, fit: &SensitivityFit) -> Option<ReflectanceErrors> {
+        let method = closed_form(fit)?;
+        // Without total reflection the channels' wavelengths are not used.
+        let channel_wavelengths_nm = [555.0; 3];
+        let mut film = Film { base: BaseKind::Conductor, total_reflection: false, method, channel_wavelengths_nm };
         let (mut max, mut sum) = (0.0f64, 0.0);
-        for (point, exact) in self.points.iter().zip(&self.values) {
-            let fitted = match fit.family {
-                FitFamily::Poles => point.over_poles(fit),
-                FitFamily::WindowedNodes => point.over_windowed_nodes(fit),
-                FitFamily::Nodes => point.over_nodes(fit),
-                _ => return None,
-            };
-            for (fitted, exact) in fitted.into_iter().zip(exact) {
+        for ((media, place), exact) in self.points.iter().zip(&self.values) {
+            film.base = media.base_kind();
+            let Media { ambient, film: film_ior, base } = *media;
+            let &Point { cos_theta1, thickness_nm } = place;
+            let fitted =
+                film_reflectance::<f64, f64>(&film, cos_theta1, thickness_nm, ambient, film_ior, base.re, base.im);
+            for (fitted, exact) in fitted.to_array().into_iter().zip(exact) {
                 max = max.max((fitted - exact).abs());
                 sum += (fitted - exact).powi(2);
             }

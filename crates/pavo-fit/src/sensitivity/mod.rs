@@ -13,11 +13,9 @@
 
 mod classes;
 mod files;
-mod film;
 mod film_samples;
 mod random;
 mod reflectance_fit;
-mod separable;
 mod transform_basis;
 mod transform_fit;
 
@@ -35,8 +33,8 @@ use self::transform_fit::{Samples, Solution, fit_transform};
 
 pub use self::classes::{FilmClass, film_classes};
 pub use self::files::{BUILT_IN_SEED, built_in_file, built_in_files, built_in_range_um, built_in_requests};
-pub use self::film::{FilmPoint, Media};
 pub use self::film_samples::{FilmSamples, ReflectanceErrors};
+pub use crate::media::Media;
 
 /// Range of `max_opd_um`: below it nothing interferes, beyond it the sensitivities' transforms have long died away.
 pub const OPD_RANGE_UM: std::ops::RangeInclusive<f64> = 0.5..=40.0;

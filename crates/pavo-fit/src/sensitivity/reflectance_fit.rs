@@ -8,12 +8,13 @@ use nalgebra::{DMatrix, DVector};
 use pavo_spectra::{Point, Sensitivities};
 
 use super::classes::film_classes;
-use super::film::FilmPoint;
 use super::film_samples::FilmSamples;
 use super::random::SplitMix64;
-use super::separable::{Basis, Separable};
 use super::transform_basis::{Form, TransformBasis, equispaced};
 use super::transform_fit::{Samples, Solution, first_fits, weights_are_bounded};
+use crate::film_point::FilmPoint;
+use crate::method::angular;
+use crate::separable::{Basis, Separable};
 
 /// Points of each class of films.
 const POINTS_PER_CLASS: usize = 200;
@@ -41,20 +42,20 @@ pub(super) fn training_samples(sensitivities: &Sensitivities, max_opd_um: f64, s
     FilmSamples::new(sensitivities, &film_classes(), |class| {
         let mut place = |index: usize| {
             let cos_theta1 = random.between(LEAST_COSINE, 1.0);
-            let opd_per_nm = FilmPoint::new(class.media, cos_theta1, 1.0).opd_um;
-            let reach_nm = if index.is_multiple_of(BEYOND) { THICKEST_NM } else { max_opd_um / opd_per_nm };
+            let opd_um_per_nm = class.media.opd_per_nm(cos_theta1) * 1e-3;
+            let reach_nm = if index.is_multiple_of(BEYOND) { THICKEST_NM } else { max_opd_um / opd_um_per_nm };
             Point { cos_theta1, thickness_nm: random.uniform() * THICKEST_NM.min(reach_nm) }
         };
         (0..POINTS_PER_CLASS).map(&mut place).collect()
     })
 }
 
-struct ReflectanceBasis<'a> {
+struct ReflectanceBasis {
     count: usize,
-    points: &'a [FilmPoint],
+    points: Vec<FilmPoint>,
 }
 
-impl Basis for ReflectanceBasis<'_> {
+impl Basis for ReflectanceBasis {
     fn count(&self) -> usize {
         self.count
     }
@@ -64,10 +65,10 @@ impl Basis for ReflectanceBasis<'_> {
     }
 
     fn columns(&self, parameters: &[f64]) -> DMatrix<f64> {
-        let window_um = parameters[2].exp();
-        DMatrix::from_fn(self.points.len(), self.count, |row, k| {
-            self.points[row].windowed_node(window_um, equispaced(parameters[0], parameters[1], self.count, k))
-        })
+        let width_nm = parameters[2].exp() * 1e3;
+        let wave_numbers = (0..self.count).map(|k| angular(equispaced(parameters[0], parameters[1], self.count, k)));
+        let nodes = self.points.iter().flat_map(|point| point.windowed_nodes(width_nm, wave_numbers.clone()));
+        DMatrix::from_row_iterator(self.points.len(), self.count, nodes)
     }
 
     fn slopes(&self, parameters: &[f64], weights: &DMatrix<f64>) -> Vec<DMatrix<f64>> {
@@ -89,7 +90,8 @@ pub(super) fn fit_windowed(
     seed: u64,
 ) -> Option<Solution> {
     let start_basis = TransformBasis { form: Form::WindowedNodes, count, opds_um: transform.opds_um.clone() };
-    let basis = ReflectanceBasis { count, points: &reflectance.points };
+    let points = reflectance.points.iter().map(|&(media, point)| FilmPoint::new(media, point)).collect();
+    let basis = ReflectanceBasis { count, points };
     let values = DMatrix::from_fn(reflectance.values.len(), 3, |row, channel| reflectance.values[row][channel]);
     let ones = DVector::from_element(values.nrows(), 1.0);
     let mut best: Option<(f64, Solution)> = None;

@@ -5,7 +5,7 @@ use std::f64::consts::PI;
 use nalgebra::DMatrix;
 use num_complex::Complex64;
 
-use super::separable::Basis;
+use crate::separable::Basis;
 
 /// Wave numbers stay within this range, in 1/um: past the visible ones (1.2 to 2.8) no term has anything to fit.
 const WAVE_NUMBERS: (f64, f64) = (1.1, 2.9);

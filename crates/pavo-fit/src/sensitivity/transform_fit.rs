@@ -9,8 +9,8 @@ use nalgebra::{DMatrix, DVector};
 use pavo_spectra::fits::SpectralTransform;
 
 use super::random::SplitMix64;
-use super::separable::Separable;
 use super::transform_basis::{Form, TransformBasis};
+use crate::separable::Separable;
 
 /// Starts that get past plain least squares.
 const FINALISTS: usize = 3;

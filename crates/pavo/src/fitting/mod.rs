@@ -6,13 +6,13 @@ mod absent;
 mod solver;
 
 #[cfg(not(feature = "fit"))]
-pub(crate) use absent::{scene_fit, sensitivity_fit};
+pub(crate) use absent::{groups_fit, rational_fit, scene_fit, sensitivity_fit};
 #[cfg(feature = "fit")]
-pub(crate) use solver::{form, scene_fit, sensitivity_fit};
+pub(crate) use solver::{form, groups_fit, rational_fit, scene_fit, sensitivity_fit};
 
 use crate::variant::FittedForm;
 use pavo_spectra::fits::FitFamily;
-use pavo_spectra::{OpticalConstants, Sensitivities};
+use pavo_spectra::{Sensitivities, Stack};
 
 /// A place that keeps fits, so that each is made once.
 pub trait FitCache: Sync {
@@ -44,12 +44,22 @@ pub(crate) struct SensitivityRequest<'a> {
     pub max_opd_um: f64,
 }
 
+/// A fit of wave numbers in groups that is asked for.
+#[derive(Clone, Debug)]
+pub(crate) struct GroupsRequest<'a> {
+    pub media: &'a Stack,
+    /// The smallest and the largest thickness, nm.
+    pub thickness_nm: [f64; 2],
+    pub sensitivities: &'a Sensitivities,
+    /// Number of wave numbers.
+    pub count: usize,
+    pub groups: usize,
+}
+
 /// A fit of one scene's reflectance that is asked for.
 #[derive(Clone, Debug)]
 pub(crate) struct SceneRequest<'a> {
-    pub ambient_ior: f64,
-    pub film: OpticalConstants,
-    pub base: OpticalConstants,
+    pub media: &'a Stack,
     /// The smallest and the largest thickness, nm.
     pub thickness_nm: [f64; 2],
     pub sensitivities: &'a Sensitivities,

@@ -1,11 +1,14 @@
 //! Fits by `pavo-fit`, looked up in the cache first.
 
-use super::{FitCache, SceneRequest, SensitivityRequest};
+use super::{FitCache, GroupsRequest, SceneRequest, SensitivityRequest};
 use crate::methods::MethodError;
 use crate::variant::FittedForm;
+use pavo_fit::baked::{closest, rational};
+use pavo_fit::groups;
 use pavo_fit::scene::{Form, SceneFitRequest, fit_scene};
 use pavo_fit::sensitivity::{BUILT_IN_SEED, FitRequest, built_in_range_um, fit};
 use pavo_optics::fitted::FittedFilm;
+use pavo_optics::{BakedFilm, Method};
 use pavo_spectra::fits::SensitivityFit;
 use serde::Serialize;
 use serde::de::DeserializeOwned;
@@ -51,12 +54,43 @@ fn cached<T: Serialize + DeserializeOwned>(
     Ok(made)
 }
 
+/// Wave numbers in groups, fitted to a scene.
+pub(crate) fn groups_fit(request: &GroupsRequest<'_>, cache: &dyn FitCache) -> Result<Method, MethodError> {
+    let request = groups::GroupsRequest {
+        ambient_ior: request.media.ambient_ior(),
+        film: request.media.film().clone(),
+        base: request.media.base().clone(),
+        thickness_nm: request.thickness_nm,
+        sensitivities: request.sensitivities,
+        nodes: request.count,
+        groups: request.groups,
+    };
+    let key = format!("groups {SOLVER} {request:?}");
+    let (window, groups) = cached(cache, &key, || {
+        let help = "take spectral:n=81, or leave out groups";
+        let fit = groups::fit_groups(&request).map_err(|error| (error.to_string(), help.to_owned()))?;
+        Ok((fit.window, fit.groups))
+    })?;
+    Ok(Method::WindowedGroups { window, groups })
+}
+
+/// A quotient of polynomials over the angle through samples of the reflectance, or where it would have a pole the best of
+/// as many coefficients that has none.
+pub(crate) fn rational_fit(
+    samples: &[(f64, [f64; 3])],
+    degree: usize,
+    denominator: usize,
+) -> Result<BakedFilm, MethodError> {
+    let film = rational(samples, degree, denominator).or_else(|_| closest(samples, degree + denominator + 1));
+    film.map_err(|error| (error.to_string(), "take a polynomial: leave out denominator".to_owned()))
+}
+
 /// A fit of a scene's reflectance.
 pub(crate) fn scene_fit(request: &SceneRequest<'_>, cache: &dyn FitCache) -> Result<FittedFilm, MethodError> {
     let request = SceneFitRequest {
-        ambient_ior: request.ambient_ior,
-        film: request.film.clone(),
-        base: request.base.clone(),
+        ambient_ior: request.media.ambient_ior(),
+        film: request.media.film().clone(),
+        base: request.media.base().clone(),
         thickness_nm: request.thickness_nm,
         sensitivities: request.sensitivities,
         form: request.form.map(form),
