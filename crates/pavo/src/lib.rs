@@ -44,6 +44,8 @@ mod variant;
 pub mod cli;
 #[cfg(feature = "cli")]
 pub mod roads;
+#[cfg(feature = "cli")]
+pub mod tuning;
 
 pub use emission::{Emission, compute, cost, cost_baseline, fragment, library};
 pub use fitting::{FitCache, NoCache};

@@ -91,7 +91,7 @@ pub fn evaluate(
 }
 
 /// A table as a buffer holds it: a fourth number after each three.
-fn table_numbers(table: &Table) -> Vec<f32> {
+pub(crate) fn table_numbers(table: &Table) -> Vec<f32> {
     table.rows.iter().flat_map(|[x, y, z]| [*x as f32, *y as f32, *z as f32, 0.0]).collect()
 }
 

@@ -16,6 +16,7 @@ Examples:
   pavo preview my-film.toml -o sphere.png           a picture of a lit sphere
   pavo eval my-film.toml --points points.csv --on reference
   pavo fit scene my-film.toml --max-rms 0.002        a short form, fitted to this scene
+  pavo tune my-film.toml --max-delta-e 1            the cheapest variant that is right enough
   pavo doctor                                       which judges and drivers are here
 
 Exit status: 0 fine, 1 a check failed, 2 bad input, 3 something needed is missing.";
@@ -47,6 +48,8 @@ pub enum Command {
     Plot(Plot),
     /// Make a fit: of sensitivities, or of one scene's reflectance.
     Fit(Fit),
+    /// Measure error and cost of every variant, and pick one.
+    Tune(Tune),
     /// List the variants of a scene with their errors and operation counts.
     Variants(Variants),
     /// Say which judges and drivers were found.
@@ -260,6 +263,30 @@ pub struct FitScene {
     /// The file to write [default: standard output].
     #[arg(short, long, value_name = "FILE")]
     pub output: Option<PathBuf>,
+}
+
+#[derive(Debug, Args)]
+pub struct Tune {
+    /// The scene file.
+    pub scene: PathBuf,
+    /// Pick the cheapest variant whose largest dE2000 is at most this [default: the scene's budget, or 1].
+    #[arg(long, value_name = "DE", conflicts_with = "max_cost")]
+    pub max_delta_e: Option<f64>,
+    /// Pick the closest variant that costs at most this.
+    #[arg(long, value_name = "COST")]
+    pub max_cost: Option<f64>,
+    /// What the cost counts: ops, navi21, vega10, gfx1100 and other families, or lavapipe.
+    #[arg(long, default_value = "ops")]
+    pub cost: String,
+    /// Measure the time on the Vulkan device whose name contains this.
+    #[arg(long, value_name = "NAME", conflicts_with = "cost")]
+    pub device: Option<String>,
+    /// List the variants off the frontier too, and why some cannot be made.
+    #[arg(long)]
+    pub all: bool,
+    /// Print all figures as JSON.
+    #[arg(long)]
+    pub json: bool,
 }
 
 #[derive(Debug, Args)]

@@ -4,6 +4,7 @@ use crate::media::MediaError;
 use crate::roads::RoadError;
 use crate::scene::SceneError;
 use crate::shading::ShadingError;
+use crate::tuning::TuningError;
 use crate::variant::VariantError;
 use miette::{Report, miette};
 use pavo_check::CheckError;
@@ -88,6 +89,18 @@ impl From<RoadError> for Failure {
         match error {
             RoadError::Emit(error) => error.into(),
             RoadError::Check(error) => error.into(),
+        }
+    }
+}
+
+impl From<TuningError> for Failure {
+    fn from(error: TuningError) -> Self {
+        match error {
+            TuningError::Shading(error) => error.into(),
+            TuningError::Media(error) => error.into(),
+            TuningError::Check(error) => error.into(),
+            TuningError::Emit(error) => error.into(),
+            TuningError::Budget { .. } => Self { status: CHECK_FAILED, report: Report::new(error) },
         }
     }
 }

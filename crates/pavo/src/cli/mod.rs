@@ -21,6 +21,7 @@ mod preview;
 mod progress;
 mod sources;
 mod spectrum;
+mod tune;
 mod variants;
 
 use arguments::{Arguments, Command};
@@ -49,6 +50,7 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
         Command::Preview(arguments) => preview::run(&arguments),
         Command::Plot(arguments) => plot::run(&arguments.plot),
         Command::Fit(arguments) => fit::run(&arguments.fit),
+        Command::Tune(arguments) => tune::run(&arguments),
         Command::Variants(arguments) => variants::run(&arguments),
         Command::Doctor(arguments) => doctor::run(&arguments),
         Command::New(arguments) => new::run(&arguments),

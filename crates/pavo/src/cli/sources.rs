@@ -5,15 +5,20 @@ use super::command_line;
 use super::failure::Failure;
 use super::output;
 use super::progress::Progress;
+use super::tune;
 use crate::inputs::ShadingQuantity;
 use crate::scene::Scene;
 use crate::shading::Shading;
 use crate::target::Target;
+use crate::tuning::{Budget, CostKind, DEFAULT_MAX_DELTA_E, pick};
 use crate::variant::Variant;
 use crate::{Emission, compute, fragment, library};
 use pavo_check::{CheckError, Verdict, judge_spirv, judge_text, wgsl_to_spirv};
 use pavo_emit::{Form, Language};
 use std::path::{Path, PathBuf};
+
+/// What stands in place of a variant that is to be chosen.
+const AUTO: &str = "auto";
 
 /// A scene from its file, with the variant that the arguments or the scene name.
 pub struct Source {
@@ -27,7 +32,10 @@ impl Source {
     /// Reads a scene and makes its surface, and says what there is to warn of.
     pub fn load(path: &Path, variant: Option<&str>) -> Result<Self, Failure> {
         let scene = Scene::load(path)?;
-        let variant: Variant = variant.unwrap_or(&scene.emit.variant).parse()?;
+        let variant = match variant.unwrap_or(&scene.emit.variant) {
+            AUTO => picked(&scene)?,
+            text => text.parse()?,
+        };
         let progress = Progress::start();
         progress.step(format!("preparing {} by {variant}", scene.name));
         let shading = Shading::with_cache(&scene, &variant, &DiskCache::open())?;
@@ -93,6 +101,14 @@ impl Source {
         };
         Ok(Emitted { target, form, file, bytes, verdicts })
     }
+}
+
+/// The cheapest variant that keeps to the scene's budget, by operations: they need no driver, and are the same everywhere.
+fn picked(scene: &Scene) -> Result<Variant, Failure> {
+    let cache = DiskCache::open();
+    let tuning = tune::measure(scene, &CostKind::Operations, &cache)?;
+    let limit = scene.budget.max_delta_e.unwrap_or(DEFAULT_MAX_DELTA_E);
+    Ok(pick(scene, &tuning, Budget::MaxDeltaE(limit), &cache)?.variant.parse()?)
 }
 
 /// A shader that passed its judges.

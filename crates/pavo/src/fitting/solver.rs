@@ -44,14 +44,15 @@ fn cached<T: Serialize + DeserializeOwned>(
     key: &str,
     make: impl FnOnce() -> Result<T, MethodError>,
 ) -> Result<T, MethodError> {
+    // That there is no fit is kept too: it takes as long to find out.
     if let Some(kept) = cache.load(key).and_then(|kept| serde_json::from_str(&kept).ok()) {
-        return Ok(kept);
+        return kept;
     }
-    let made = make()?;
+    let made = make();
     if let Ok(text) = serde_json::to_string(&made) {
         cache.store(key, &text);
     }
-    Ok(made)
+    made
 }
 
 /// Wave numbers in groups, fitted to a scene.

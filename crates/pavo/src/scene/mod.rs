@@ -43,8 +43,8 @@ mod tests;
 pub use error::SceneError;
 pub use load::MAXIMUM_FILE_BYTES;
 pub use model::{
-    Ambient, Base, Colour, ColourQuantity, Emit, Film, FilmMedium, IlluminantSource, Lights, Quantity, Scene, Surface,
-    VisibilityK,
+    Ambient, Base, Budget, Colour, ColourQuantity, Emit, Film, FilmMedium, IlluminantSource, Lights, Quantity, Scene,
+    Surface, VisibilityK,
 };
 pub use starter::{STARTER, starter};
 pub use vocabulary::{

@@ -1,7 +1,7 @@
 //! The scene as data.
 
 use std::fmt;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use serde::Serialize;
 
@@ -27,8 +27,26 @@ pub struct Scene {
     pub surface: Surface,
     /// The lights the emitted code evaluates.
     pub lights: Lights,
+    /// What a variant that is chosen by itself must keep to.
+    #[serde(skip_serializing_if = "Budget::is_empty")]
+    pub budget: Budget,
     /// What is emitted, and how.
     pub emit: Emit,
+}
+
+/// What a variant that is chosen by itself must keep to: `variant = "auto"`.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
+pub struct Budget {
+    /// The largest dE2000 against the exact reference, above 0; 1 where it is not given.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub max_delta_e: Option<f64>,
+}
+
+impl Budget {
+    /// Whether nothing is given.
+    pub fn is_empty(&self) -> bool {
+        *self == Self::default()
+    }
 }
 
 impl Scene {
@@ -49,8 +67,26 @@ impl Scene {
             base,
             surface,
             lights: Lights::default(),
+            budget: Budget::default(),
             emit: Emit::default(),
         }
+    }
+
+    /// The files that the scene names: of optical constants, and of its illuminant.
+    pub fn files(&self) -> Vec<&Path> {
+        let film = match self.film.as_ref().map(|film| &film.medium) {
+            Some(FilmMedium::Table(path)) => Some(path),
+            _ => None,
+        };
+        let base = match &self.base {
+            Base::Table { path } => Some(path),
+            _ => None,
+        };
+        let illuminant = match &self.colour.illuminant {
+            IlluminantSource::Table(path) => Some(path),
+            IlluminantSource::Named(_) => None,
+        };
+        film.into_iter().chain(base).chain(illuminant).map(PathBuf::as_path).collect()
     }
 }
 

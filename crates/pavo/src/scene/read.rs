@@ -6,8 +6,8 @@ use toml::de::{DeTable, DeValue};
 
 use super::fault::{Checked, Fault};
 use super::model::{
-    Ambient, Base, Colour, ColourQuantity, Emit, Film, FilmMedium, IlluminantSource, Lights, Quantity, Scene, Surface,
-    VisibilityK,
+    Ambient, Base, Budget, Colour, ColourQuantity, Emit, Film, FilmMedium, IlluminantSource, Lights, Quantity, Scene,
+    Surface, VisibilityK,
 };
 use super::shown::shown;
 use super::suggest::did_you_mean;
@@ -31,6 +31,7 @@ pub(super) fn read(document: &DeTable<'_>, directory: &Path) -> Checked<Scene> {
     let base = top.table("base")?;
     let surface = top.table("surface")?;
     let lights = top.table("lights")?;
+    let budget = top.table("budget")?;
     let emit = top.table("emit")?;
 
     let base = read_base(&base.ok_or_else(missing_base)?, directory)?;
@@ -42,6 +43,7 @@ pub(super) fn read(document: &DeTable<'_>, directory: &Path) -> Checked<Scene> {
         surface: read_surface(surface.as_ref(), &base)?,
         base,
         lights: lights.map_or_else(|| Ok(Lights::default()), |table| read_lights(&table))?,
+        budget: budget.map_or_else(|| Ok(Budget::default()), |table| read_budget(&table))?,
         emit: emit.map_or_else(|| Ok(Emit::default()), |table| read_emit(&table))?,
     })
 }
@@ -207,6 +209,17 @@ fn read_visibility_k(table: &Table<'_>) -> Checked<Option<VisibilityK>> {
 
 fn read_lights(table: &Table<'_>) -> Checked<Lights> {
     Ok(table.boolean("punctual")?.map_or_else(Lights::default, |punctual| Lights { punctual }))
+}
+
+fn read_budget(table: &Table<'_>) -> Checked<Budget> {
+    let Some(quantity) = table.quantity("max_delta_e")? else { return Ok(Budget::default()) };
+    match quantity {
+        Quantity::Fixed(max_delta_e) => Ok(Budget { max_delta_e: Some(max_delta_e) }),
+        Quantity::Range { .. } => {
+            let message = "`budget.max_delta_e` is a range, but a budget is one number";
+            Err(Fault::at("budget.max_delta_e", "not one number", message, "write `max_delta_e = 1.0`"))
+        }
+    }
 }
 
 fn read_emit(table: &Table<'_>) -> Checked<Emit> {

@@ -6,8 +6,8 @@ use super::model::{Base, ColourQuantity, Emit, FilmMedium, IlluminantSource, Qua
 use super::shown::{shown, shown_number};
 use super::suggest::did_you_mean;
 use super::vocabulary::{
-    FILM_MATERIALS, ILLUMINANTS, INDEX_LIMITS, KAPPA_LIMITS, Limits, MAXIMUM_IDENTIFIER_LENGTH, METALNESS_LIMITS,
-    METALS, OBSERVERS, ROUGHNESS_LIMITS, SPACES, TARGETS, THICKNESS_LIMITS, VISIBILITY_LIMITS,
+    DELTA_E_LIMITS, FILM_MATERIALS, ILLUMINANTS, INDEX_LIMITS, KAPPA_LIMITS, Limits, MAXIMUM_IDENTIFIER_LENGTH,
+    METALNESS_LIMITS, METALS, OBSERVERS, ROUGHNESS_LIMITS, SPACES, TARGETS, THICKNESS_LIMITS, VISIBILITY_LIMITS,
 };
 
 impl Scene {
@@ -40,6 +40,9 @@ pub(super) fn check(scene: &Scene) -> Checked<()> {
     }
     check_base(&scene.base)?;
     check_surface(&scene.surface, &scene.base)?;
+    if let Some(max_delta_e) = scene.budget.max_delta_e {
+        check_number("budget.max_delta_e", max_delta_e, &DELTA_E_LIMITS)?;
+    }
     check_emit(&scene.emit)
 }
 

@@ -53,6 +53,7 @@ pub(super) const TABLES: &[(&str, &[&str])] = &[
     ("base", &["ior", "kappa", "metal", "csv", "workflow"]),
     ("surface", &["roughness", "diffuse", "base_color", "metalness", "visibility_k"]),
     ("lights", &["punctual"]),
+    ("budget", &["max_delta_e"]),
     ("emit", &["targets", "variant", "prefix"]),
 ];
 
@@ -115,6 +116,15 @@ pub(super) const KAPPA_LIMITS: Limits = Limits {
     high: MAXIMUM_INDEX,
     unit: "",
     help: "write the complex index as ior + i kappa with kappa positive: titanium is 2.7 + 3.8i in red light",
+};
+
+/// Limits of a colour difference.
+pub(super) const DELTA_E_LIMITS: Limits = Limits {
+    what: "a largest colour difference",
+    low: 0.001,
+    high: 100.0,
+    unit: "",
+    help: "it is in dE2000: 1 is just noticeable side by side, 0.1 is never seen",
 };
 
 /// Limits of a film thickness.

@@ -3,8 +3,8 @@
 use std::path::{Path, PathBuf};
 
 use crate::scene::{
-    Ambient, Base, Colour, ColourQuantity, Emit, Film, FilmMedium, IlluminantSource, Lights, Quantity, Scene, Surface,
-    VisibilityK,
+    Ambient, Base, Budget, Colour, ColourQuantity, Emit, Film, FilmMedium, IlluminantSource, Lights, Quantity, Scene,
+    Surface, VisibilityK,
 };
 
 fn read(text: &str) -> Scene {
@@ -38,6 +38,8 @@ fn a_scene_in_full_is_read_key_by_key() {
         visibility_k = [0.1, 0.9]
         [lights]
         punctual = false
+        [budget]
+        max_delta_e = 0.5
         [emit]
         targets = ["spirv-asm", "glsl330"]
         variant = "exact"
@@ -61,6 +63,7 @@ fn a_scene_in_full_is_read_key_by_key() {
             visibility_k: VisibilityK::Value(range(0.1, 0.9)),
         },
         lights: Lights { punctual: false },
+        budget: Budget { max_delta_e: Some(0.5) },
         emit: Emit {
             targets: vec!["spirv-asm".to_owned(), "glsl330".to_owned()],
             variant: "exact".to_owned(),

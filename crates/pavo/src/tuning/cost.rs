@@ -1,0 +1,177 @@
+//! The cost of an evaluation of the reflectance: operations, what the compiler of a graphics card counts, or time.
+
+use super::TuningError;
+use crate::emission::{cost, cost_baseline};
+use crate::inputs::ShadingQuantity;
+use crate::points::spread;
+use crate::roads::{Road, table_numbers};
+use crate::shading::Shading;
+use pavo_check::static_cost::StaticCost;
+use pavo_check::static_cost::{FAMILIES, StaticCompiler, net};
+use pavo_check::timing::{Candidate, compare};
+use pavo_check::{ComputeShader, Device};
+use pavo_emit::{Language, WORKGROUP_SIZE};
+use pavo_shade::Operations;
+use rayon::prelude::*;
+
+const QUANTITY: ShadingQuantity = ShadingQuantity::Reflectance;
+
+/// What a root, a quotient, a sine and the like count, and a row of a table, where a sum or a product counts 1.
+const TRANSCENDENTAL: f64 = 4.0;
+const FETCH: f64 = 16.0;
+
+/// Points and rounds of a measurement of time.
+const TIMED_POINTS: usize = 200_000;
+const ROUNDS: usize = 7;
+
+/// What the cost counts.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum CostKind {
+    /// Operations of the emitted program; roots, quotients, sines and the like count 4, rows of tables 16.
+    Operations,
+    /// Cycles of inverse throughput on a family of graphics cards, by RADV's compiler, net of an empty shader.
+    Family(&'static str),
+    /// Nanoseconds on a Vulkan device, net of reading and writing.
+    Device(String),
+}
+
+impl CostKind {
+    /// The kind of this name: `ops`, a family such as `navi21`, or `lavapipe`.
+    ///
+    /// # Errors
+    /// The names that there are.
+    pub fn from_name(name: &str) -> Result<Self, String> {
+        let family = FAMILIES.iter().find(|family| family.name == name);
+        match (name, family) {
+            ("ops", _) => Ok(CostKind::Operations),
+            ("lavapipe", _) => Ok(CostKind::Device("llvmpipe".to_owned())),
+            (_, Some(family)) => Ok(CostKind::Family(family.name)),
+            (_, None) => {
+                let families: Vec<&str> = FAMILIES.iter().map(|family| family.name).collect();
+                Err(format!(
+                    "unknown cost `{}`; the costs are ops, {}, lavapipe",
+                    name.escape_debug(),
+                    families.join(", ")
+                ))
+            }
+        }
+    }
+
+    /// The name in reports.
+    pub fn name(&self) -> &str {
+        match self {
+            CostKind::Operations => "ops",
+            CostKind::Family(family) => family,
+            CostKind::Device(device) => device,
+        }
+    }
+
+    /// The unit of the numbers.
+    pub fn unit(&self) -> &'static str {
+        match self {
+            CostKind::Operations => "operations",
+            CostKind::Family(_) => "cycles of inverse throughput",
+            CostKind::Device(_) => "ns",
+        }
+    }
+
+    /// Whether the same shader costs the same each time.
+    pub fn is_repeatable(&self) -> bool {
+        !matches!(self, CostKind::Device(_))
+    }
+}
+
+/// Measures costs of one kind.
+pub enum Meter {
+    /// By counting operations.
+    Operations,
+    /// By RADV's compiler.
+    Family(Box<StaticCompiler>),
+    /// By running on a device.
+    Device(Box<Device>),
+}
+
+impl Meter {
+    /// Opens what the kind of cost needs.
+    ///
+    /// # Errors
+    /// If the driver is missing.
+    pub fn new(kind: &CostKind) -> Result<Self, TuningError> {
+        Ok(match kind {
+            CostKind::Operations => Meter::Operations,
+            CostKind::Family(family) => Meter::Family(Box::new(StaticCompiler::open(family)?)),
+            CostKind::Device(name) => Meter::Device(Box::new(Device::named(name)?)),
+        })
+    }
+
+    /// The cost of the reflectance of each.
+    ///
+    /// # Errors
+    /// If a shader cannot be emitted, compiled or run.
+    pub fn costs(&self, shadings: &[&Shading]) -> Result<Vec<f64>, TuningError> {
+        match self {
+            Meter::Operations => {
+                Ok(shadings.par_iter().map(|shading| operations(shading.program(QUANTITY).operations())).collect())
+            }
+            Meter::Family(compiler) => shadings
+                .iter()
+                .map(|shading| {
+                    let compiled = |text: &str| compiler.wgsl("cost.wgsl", text, "main");
+                    let whole: StaticCost = compiled(&cost(shading, QUANTITY, Language::Wgsl)?)?;
+                    let baseline = compiled(&cost_baseline(shading, QUANTITY, Language::Wgsl)?)?;
+                    Ok(net(&whole, &baseline)?.inverse_throughput as f64)
+                })
+                .collect(),
+            Meter::Device(device) => times(device, shadings),
+        }
+    }
+}
+
+/// Operations as one number.
+fn operations(operations: Operations) -> f64 {
+    let Operations { arithmetic, roots, transcendental, fetches } = operations;
+    arithmetic as f64 + TRANSCENDENTAL * (roots + transcendental) as f64 + FETCH * fetches as f64
+}
+
+/// Nanoseconds for an evaluation, all measured by turns.
+fn times(device: &Device, shadings: &[&Shading]) -> Result<Vec<f64>, TuningError> {
+    struct Kernel {
+        name: String,
+        words: Vec<u32>,
+        tables: Vec<Vec<f32>>,
+        inputs: Vec<f32>,
+        inputs_per_point: usize,
+    }
+    let kernel = |shading: &&Shading| -> Result<Kernel, TuningError> {
+        let words = Road::Wgsl.spirv(shading, QUANTITY).map_err(TuningError::from)?;
+        let program = shading.program(QUANTITY);
+        let points = spread(program.inputs(), TIMED_POINTS, 3);
+        Ok(Kernel {
+            name: shading.variant().to_string(),
+            words,
+            tables: program.tables().iter().map(table_numbers).collect(),
+            inputs: points.into_iter().flatten().map(|number| number as f32).collect(),
+            inputs_per_point: program.input_components(),
+        })
+    };
+    let kernels: Vec<Kernel> = shadings.iter().map(kernel).collect::<Result<_, _>>()?;
+    let candidates: Vec<Candidate<'_>> = kernels
+        .iter()
+        .map(|kernel| Candidate {
+            name: &kernel.name,
+            shader: ComputeShader {
+                spirv: &kernel.words,
+                entry: "main",
+                workgroup_size: WORKGROUP_SIZE,
+                tables: &kernel.tables,
+            },
+            inputs: &kernel.inputs,
+            inputs_per_point: kernel.inputs_per_point,
+            outputs_per_point: 3,
+        })
+        .collect();
+    // The longest of all makes the steadiest reference; only the absolute times are taken.
+    let reference = kernels.iter().max_by_key(|kernel| kernel.words.len()).map(|kernel| kernel.name.clone());
+    let timings = compare(device, &candidates, &reference.unwrap_or_default(), ROUNDS)?;
+    Ok(timings.timings.iter().map(|timing| timing.net.median).collect())
+}
