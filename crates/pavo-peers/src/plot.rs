@@ -62,12 +62,18 @@ fn draw<B: DrawingBackend>(class: &ClassReport, area: &DrawingArea<B, Shift>) ->
         let (color, name) =
             if row.is_pavo { (OWN, row.name.trim_start_matches("pavo ")) } else { (PEER, row.name.as_str()) };
         let at = place(row);
-        // Names on the right half stand on the left of their points.
-        let (side, shift) = if at.0 > most_cost * 0.7 { (HPos::Right, -8) } else { (HPos::Left, 8) };
-        let style = TextStyle::from((FONT, 12)).color(&color).pos(Pos::new(side, VPos::Center));
-        let mark = EmptyElement::at(at)
-            + Circle::new((0, 0), 4, color.filled())
-            + Text::new(name.to_owned(), (shift, 0), style);
+        // A peer called otherwise has the same error, so that its name stands below its point. Names of points on the
+        // right half stand on their left.
+        let (horizontal, vertical, shift) = if !row.is_pavo && row.peer.is_none() {
+            (HPos::Center, VPos::Top, (0, 8))
+        } else if at.0 > most_cost * 0.7 {
+            (HPos::Right, VPos::Center, (-8, 0))
+        } else {
+            (HPos::Left, VPos::Center, (8, 0))
+        };
+        let style = TextStyle::from((FONT, 12)).color(&color).pos(Pos::new(horizontal, vertical));
+        let mark =
+            EmptyElement::at(at) + Circle::new((0, 0), 4, color.filled()) + Text::new(name.to_owned(), shift, style);
         chart.draw_series([mark]).map_err(shown)?;
     }
     Ok(())

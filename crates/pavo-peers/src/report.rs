@@ -18,7 +18,10 @@ pub fn text(report: &Report) -> String {
     let threads = report.lavapipe_threads.as_deref();
     let threads =
         threads.map_or("as many threads as it likes".to_owned(), |threads| format!("LP_NUM_THREADS={threads}"));
-    line(format!("Times of {} points in {} rounds by turns, {threads}.", report.timed_points, report.rounds));
+    line(format!(
+        "Times of {} points in {} rounds by turns, {threads}; medians, and quartiles of the ratio.",
+        report.timed_points, report.rounds
+    ));
     line(
         "Costs (instructions / inverse throughput) and times are net of an empty shader with the same inputs. All \
          indices are inputs at run time."
@@ -50,15 +53,17 @@ pub fn text(report: &Report) -> String {
 
 fn table(class: &ClassReport) -> String {
     let mut text = format!(
-        "| {}, {} points | max | RMS | mean dE2000 | navi21 | ratio | vega10 ratio | lavapipe | ratio |\n\
+        "| {}, {} points | max | RMS | mean dE2000 | navi21 | navi21 ratio | vega10 ratio | lavapipe | lavapipe ratio |\n\
          |---|---|---|---|---|---|---|---|---|\n",
         class.class.name(),
         class.points
     );
     for Row { name, errors, navi21, vega10, lavapipe, .. } in &class.rows {
         let Cost { net, ratio, .. } = navi21;
-        let time =
-            lavapipe.map_or("- | -".to_owned(), |time| format!("{:.1} ns | {:.2}", time.nanoseconds, time.ratio));
+        let time = lavapipe.map_or("- | -".to_owned(), |time| {
+            let [low, high] = [time.ratio_lower_quartile, time.ratio_upper_quartile];
+            format!("{:.1} ns | {:.2} ({low:.2} to {high:.2})", time.nanoseconds, time.ratio)
+        });
         let name = name.strip_prefix("pavo ").map_or(name.clone(), |variant| format!("`{variant}`"));
         let _ = writeln!(
             text,

@@ -1,6 +1,7 @@
 //! Installs the packages of other systems, and measures pavo's variants beside the shaders in them.
 
 use std::path::Path;
+use std::process::ExitStatus;
 
 use crate::command_line::{CommandLine, end_text};
 use crate::console::complain;
@@ -20,21 +21,22 @@ pub fn run(workspace: &Workspace, install: bool, json: bool) -> Result<(), Failu
     let shown = workspace.relative(&folder);
     if install {
         for package in installs(shown)? {
-            step(workspace, &package, |_| Status::Missing)?;
+            complain(&format!("$ {package}"));
+            ended(&package, package.run_aside(workspace)?, |_| Status::Missing)?;
         }
     }
     let program = workspace.target.join("release").join(format!("pavo-peers{}", std::env::consts::EXE_SUFFIX));
     let compile = workspace.cargo(&["build", "--release", "--quiet", "--package", "pavo-peers"]);
-    step(workspace, &compile, |_| Status::CheckFailed)?;
+    complain(&format!("$ {compile}"));
+    ended(&compile, compile.run_aside(workspace)?, |_| Status::CheckFailed)?;
     let measure = CommandLine::new(&program)
         .shown_as(workspace.relative(&program).to_string_lossy())
         .arguments([Path::new("--packages"), shown, Path::new("--output"), shown])
         .arguments(json.then_some("--json"))
         // One thread gives steadier times.
         .environment("LP_NUM_THREADS", "1");
-    step(workspace, &measure, Status::of_product)?;
-    complain(&format!("\nThe results are in {}: peers.svg, peers.csv, peers.json", shown.display()));
-    Ok(())
+    complain(&format!("$ {measure}"));
+    ended(&measure, measure.run(workspace)?, Status::of_product)
 }
 
 /// The commands that install the packages into a folder.
@@ -63,13 +65,12 @@ fn installs(folder: &Path) -> Result<[CommandLine; 2], Failure> {
     Ok([npm, pip])
 }
 
-fn step(workspace: &Workspace, command: &CommandLine, status_of: fn(Option<i32>) -> Status) -> Result<(), Failure> {
-    complain(&format!("$ {command}"));
-    let status = command.run(workspace)?;
+/// Nothing where the command has succeeded.
+fn ended(command: &CommandLine, status: ExitStatus, status_of: fn(Option<i32>) -> Status) -> Result<(), Failure> {
     if status.success() {
         return Ok(());
     }
-    Err(Failure { status: status_of(status.code()), message: format!("it failed ({}): {command}", end_text(status)) })
+    Err(Failure { status: status_of(status.code()), message: format!("{} from: {command}", end_text(status)) })
 }
 
 #[cfg(test)]
