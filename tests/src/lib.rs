@@ -49,7 +49,10 @@ pub struct Ran {
 /// # Panics
 /// If it cannot be started, or is ended by a signal.
 pub fn run(program: &str, folder: &Path, arguments: &[&str]) -> Ran {
-    let result = Command::new(program).current_dir(folder).args(arguments).env("NO_COLOR", "1").output();
+    // Each folder has a cache of its own: no test sees what an earlier build has kept.
+    let mut command = Command::new(program);
+    command.current_dir(folder).args(arguments).env("NO_COLOR", "1").env("PAVO_CACHE", folder.join("cache"));
+    let result = command.output();
     let Output { status, stdout, stderr } = result.unwrap_or_else(|error| panic!("{program}: {error}"));
     Ran {
         status: status.code().unwrap_or_else(|| panic!("{arguments:?} was ended by a signal")),

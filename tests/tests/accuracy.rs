@@ -34,7 +34,8 @@ const METHODS: [(&str, [f64; 2], [f64; 2]); 4] = [
     ("poles:k=6", [3.5e-4, 4e-3], [4.5e-4, 3e-3]),
 ];
 
-/// Points spread over the ranges, and a grid along their edges.
+/// 2,048 points spread over the ranges, and 33 along each of the edges: grazing incidence, the thinnest and the thickest
+/// film.
 fn points() -> String {
     let inputs = [
         Input::scalar("cos_theta1", "", 0.01, 1.0, Rate::Pixel),
@@ -42,10 +43,10 @@ fn points() -> String {
     ];
     let mut text = String::from("cos_theta1,thickness_nm\n");
     let mut add = |cosine: f64, thickness: f64| text.push_str(&format!("{cosine},{thickness}\n"));
-    spread(&inputs, 2000, 7).iter().for_each(|point| add(point[0], point[1]));
-    for step in 0..=36 {
-        let fraction = f64::from(step) / 36.0;
-        [0.01, 1.0].into_iter().for_each(|cosine| add(cosine, 3000.0 * fraction));
+    spread(&inputs, 2048, 7).iter().for_each(|point| add(point[0], point[1]));
+    for step in 0..33 {
+        let fraction = f64::from(step) / 32.0;
+        add(0.01, 3000.0 * fraction);
         [0.0, 3000.0].into_iter().for_each(|thickness| add(0.01 + 0.99 * fraction, thickness));
     }
     text
@@ -117,5 +118,48 @@ fn one_order_of_cosines_does_for_low_contrast() {
     let low_contrast = dielectrics(&["oil on water", "magnesium fluoride on glass", "nacre"]);
     let found = errors(&low_contrast, &["cosines:k=6,m=1"]);
     println!("cosines:k=6,m=1: RMS {:.2e} max {:.2e}", found[0][0], found[0][1]);
-    assert!(found[0][0] <= 6e-4, "{found:?}");
+    assert!(found[0][0] <= 5.2e-4, "{found:?}");
+}
+
+/// A film with its base: name, and the tables of its scene.
+fn film(name: &str, tables: &str) -> Vec<(String, String)> {
+    let (film, base) = tables.split_once(" on ").expect("a film on a base");
+    vec![(name.to_owned(), format!("[film]\n{film}\nthickness_nm = [0, 3000]\n[base]\n{base}\n"))]
+}
+
+/// Film, variant, and the largest RMS allowed.
+fn check(rows: &[(&str, &str, &str, f64)]) {
+    let mut failures = Vec::new();
+    for (name, tables, variant, allowed) in rows {
+        let [rms, max] = errors(&film(name, tables), &[variant])[0];
+        println!("{name} by {variant}: RMS {rms:.2e} max {max:.2e}");
+        if rms > *allowed {
+            failures.push(format!("{name} by {variant}: RMS {rms:e}, allowed {allowed:e}"));
+        }
+    }
+    assert!(failures.is_empty(), "{failures:#?}");
+}
+
+#[test]
+fn groups_of_indices_serve_coloured_metals() {
+    check(&[
+        ("2.6 on copper", "ior = 2.6 on metal = 'Cu'", "windowed:k=6,groups=3", 6e-3),
+        ("2.6 on copper", "ior = 2.6 on metal = 'Cu'", "windowed:k=8,groups=2", 6e-3),
+        ("1.77 on gold", "ior = 1.77 on metal = 'Au'", "windowed:k=6,groups=3", 4e-3),
+        ("titania on titanium", "material = 'TiO2' on metal = 'Ti'", "windowed:k=6,groups=3", 4e-3),
+    ]);
+}
+
+#[test]
+fn fits_to_a_scene_keep_to_their_errors_on_points_that_they_have_not_seen() {
+    check(&[
+        ("oil on water", "ior = 1.5 on ior = 1.33", "fitted:form=kernel,k=3", 1.5e-3),
+        ("magnesium fluoride on glass", "ior = 1.38 on ior = 1.52", "fitted:form=kernel,k=3", 1.5e-3),
+        ("nacre", "ior = 1.53 on ior = 1.66", "fitted:form=kernel,k=3", 1.5e-3),
+        // 5.9e-3 on the points that the fit holds out; these lie closer to the edges.
+        ("soap film", "ior = 1.33 on ior = 1.0", "fitted:form=damped-kernel,k=4", 6.3e-3),
+        ("soap film", "ior = 1.33 on ior = 1.0", "fitted:form=damped-kernel,k=5", 4e-3),
+        ("high contrast", "ior = 2.5 on ior = 1.2", "fitted:form=corrected-kernel,k=6", 1.5e-3),
+        ("titania on titanium", "ior = 2.4 on ior = 2.7\nkappa = 3.8", "fitted:form=three-orders,k=4", 6e-3),
+    ]);
 }

@@ -58,18 +58,22 @@ fn every_form_of_every_starter_scene_is_judged_when_it_is_emitted() {
 fn every_variant_passes_every_judge() {
     let targets = "wgsl,glsl450,glsl330,essl300,spirv";
     let folder = tempfile::tempdir().expect("a temporary folder can be made");
-    for variant in Variant::candidates() {
-        // A polynomial over the angle is for uniform films only; the others are shown on a dielectric and a conductor.
-        let scenes = match variant {
-            Variant::Baked { .. } => &["coated-lens"][..],
-            _ => &["soap-bubble", "anodised-titanium"],
-        };
-        for name in scenes {
-            let (scene, variant) = (scene_file(name).display().to_string(), variant.to_string());
+    for variant in Variant::candidates().into_iter().map(|variant| variant.to_string()) {
+        let mut made = 0;
+        for name in ["soap-bubble", "anodised-titanium", "coated-lens", "lacquered-gold"] {
+            let scene = scene_file(name).display().to_string();
             let arguments = ["build", &scene, "-o", "out", "--no-run", "--target", targets, "--variant", &variant];
             let ran = run(PROGRAM, folder.path(), &arguments);
-            assert_eq!(ran.status, 0, "{name} by {variant}: {}", ran.errors);
+            // Some variants are for uniform films only, some for media of fixed indices, or of one index.
+            let is_refused = ran.status == 2 && ran.errors.contains("cannot be made for the scene");
+            assert!(ran.status == 0 || is_refused, "{name} by {variant}: {}", ran.errors);
+            made += usize::from(ran.status == 0);
+            // A dielectric and a conductor will do, where there are both.
+            if made == 2 {
+                break;
+            }
         }
+        assert!(made > 0, "{variant} is made for none of the scenes");
     }
 }
 

@@ -1,7 +1,7 @@
 //! Equally spaced wave numbers under a Gaussian window, all orders: the sensitivities are
 //! `S_j(D) = g sum_k w_jk e^(i omega_k D)` with `g = e^(-(D / D_c)^2)`.
 //!
-//! The orders add up as a Poisson kernel. With `h = max(g^2, 0.05)`, `kappa = 1 / h` and `B = b g h`, orders 1 and 2
+//! The orders add up as a Poisson kernel. With `h = max(g^2, 0.1)`, `kappa = 1 / h` and `B = b g h`, orders 1 and 2
 //! carry their exact damping, and
 //!
 //! `R_j = 1 - sum_pol Q (1 - kappa) / 2 - sum_pol (kappa Q / 2) sum_k w_jk (1 - |B|^2) / |1 - B e^(i omega_k D)|^2`.
@@ -49,7 +49,7 @@ pub fn window_terms<S: Scalar, R: Lanes<S> + Value<Leaf = S::Leaf>>(
     terms: SeriesTerms<R>,
     /// The window g at this optical path difference, (0, 1].
     window: S,
-    /// Its square, held at 0.05 or above.
+    /// Its square, held at 0.1 or above.
     window_squared: S,
 ) -> WindowTerms<R> {
     let damping = R::from_scalar(window * window_squared);
@@ -82,7 +82,7 @@ impl<R: Real> WindowedFilm<R> {
         Self::under(closing(width_nm, opd_nm), series)
     }
 
-    /// A film under a window that has closed to g; with it its square, held at 0.05 or above.
+    /// A film under a window that has closed to g; with it its square, held at 0.1 or above.
     pub(crate) fn under<S: Scalar>([g, g_squared]: [S; 2], [s, p]: [SeriesTerms<R>; 2]) -> Self
     where
         R: Lanes<S> + Value<Leaf = S::Leaf>,
@@ -105,11 +105,11 @@ impl<R: Real> WindowedFilm<R> {
     }
 }
 
-/// How far a window of a width, in nm, closes at an optical path difference: g, and its square, held at 0.05 or above.
+/// How far a window of a width, in nm, closes at an optical path difference: g, and its square, held at 0.1 or above.
 pub(crate) fn closing<S: Scalar>(width_nm: f64, opd_nm: S) -> [S; 2] {
     let spread = (opd_nm * S::lit(1.0 / width_nm)).named("spread");
     let g = (-(spread * spread)).exp().named("window");
-    [g, (g * g).max(S::lit(0.05)).named("window_squared")]
+    [g, (g * g).max(S::lit(0.1)).named("window_squared")]
 }
 
 /// Reflectance of the film by equally spaced wave numbers under a window, all orders.
