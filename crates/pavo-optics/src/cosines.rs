@@ -27,7 +27,7 @@ pub fn cosines_reflectance<S: Scalar, R: Lanes<S> + Value<Leaf = S::Leaf>>(
     let damping = powers_of_square(g, order, "window").into_iter().map(R::from_scalar);
     let amplitudes = order_amplitudes(order, s, p).into_iter().zip(damping);
     let damped: Vec<[R; 2]> =
-        amplitudes.map(|([re, im], g)| [(re * g).named("order"), (im * g).named("order_im")]).collect();
+        amplitudes.map(|([re, im], g)| [(re * g).named("damped"), (im * g).named("damped_im")]).collect();
     for ([cosine, sine], weight) in phases(window, opd_nm).into_iter().zip(&window.weights) {
         let waves = multiples(cosine, sine, order).into_iter().map(|wave| wave.map(R::from_scalar));
         let node = order_sum(&damped, std::iter::repeat(R::lit(1.0)), waves);

@@ -162,7 +162,7 @@ pub(crate) fn order_amplitudes<R: Real>(order: usize, s: SeriesTerms<R>, p: Seri
         }
         power_s = [power_s[0].named("order_s"), power_s[1].named("order_s_im")];
         power_p = [power_p[0].named("order_p"), power_p[1].named("order_p_im")];
-        amplitudes.push([power_s[0] + power_p[0], power_s[1] + power_p[1]]);
+        amplitudes.push([(power_s[0] + power_p[0]).named("order"), (power_s[1] + power_p[1]).named("order_im")]);
     }
     amplitudes
 }
