@@ -90,8 +90,8 @@ pub fn evaluate(
     Ok(colors)
 }
 
-/// A table as a buffer holds it: a fourth number after each three.
-pub(crate) fn table_numbers(table: &Table) -> Vec<f32> {
+/// A table as a buffer of [`Road::spirv`] holds it: a fourth number after each three.
+pub fn table_numbers(table: &Table) -> Vec<f32> {
     table.rows.iter().flat_map(|[x, y, z]| [*x as f32, *y as f32, *z as f32, 0.0]).collect()
 }
 

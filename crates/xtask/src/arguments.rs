@@ -23,6 +23,13 @@ pub enum Task {
     },
     /// Make the committed fits of the sensitivities again.
     Fits,
+    /// Measure the variants beside the shaders that other systems ship.
+    Peers {
+        /// Whether to install the packages of the other systems first.
+        install: bool,
+        /// Whether to print JSON.
+        json: bool,
+    },
     /// Print the usage.
     Help,
 }
@@ -37,11 +44,14 @@ Tasks:
                      (soap-bubble where none is given)
   test [--no-setup]  Set up, then check formatting, lints, the build without features, documentation and tests
   fits               Make the committed fits in crates/pavo-spectra/data/fits again (minutes)
+  peers [--no-install] [--json]
+                     Install the npm package three and the PyPI package MaterialX into target/peers, and measure pavo
+                     beside their thin-film shaders: errors, costs, times
   help               Print this
 
 Exit codes: 0 fine, 1 a check failed, 2 bad input, 3 something needed is missing";
 
-const TASKS: &str = "the tasks are setup, demo, test, fits and help";
+const TASKS: &str = "the tasks are setup, demo, test, fits, peers and help";
 
 /// Reads the words, the first of which names the task.
 ///
@@ -60,6 +70,7 @@ pub fn parse(words: impl IntoIterator<Item = OsString>) -> Result<Task, Failure>
             Some("demo") => Task::Demo { scene: None },
             Some("test") => Task::Test { set_up: true },
             Some("fits") => Task::Fits,
+            Some("peers") => Task::Peers { install: true, json: false },
             Some("help") => Task::Help,
             _ => {
                 return Err(Failure::bad_input(format!("`{}` is no task; {TASKS}", word.to_string_lossy())));
@@ -74,6 +85,11 @@ pub fn parse(words: impl IntoIterator<Item = OsString>) -> Result<Task, Failure>
             (Task::Demo { .. }, other) => return Err(not_taken(&other, "demo", "it takes one scene")),
             (Task::Test { set_up }, Arg::Long("no-setup")) => *set_up = false,
             (Task::Test { .. }, other) => return Err(not_taken(&other, "test", "it takes --no-setup only")),
+            (Task::Peers { install, .. }, Arg::Long("no-install")) => *install = false,
+            (Task::Peers { json, .. }, Arg::Long("json")) => *json = true,
+            (Task::Peers { .. }, other) => {
+                return Err(not_taken(&other, "peers", "it takes --no-install and --json only"));
+            }
             (Task::Setup, other) => return Err(not_taken(&other, "setup", "it takes nothing")),
             (Task::Fits, other) => return Err(not_taken(&other, "fits", "it takes nothing")),
             (Task::Help, other) => return Err(not_taken(&other, "help", "it takes nothing")),
@@ -114,6 +130,8 @@ mod tests {
             ("test", Task::Test { set_up: true }),
             ("test --no-setup", Task::Test { set_up: false }),
             ("fits", Task::Fits),
+            ("peers", Task::Peers { install: true, json: false }),
+            ("peers --json --no-install", Task::Peers { install: false, json: true }),
             ("help", Task::Help),
             ("--help", Task::Help),
             ("-h", Task::Help),
@@ -126,12 +144,16 @@ mod tests {
     #[test]
     fn other_words_are_refused_with_what_is_taken() {
         for (words, expected) in [
-            ("", "name a task: the tasks are setup, demo, test, fits and help"),
-            ("tset", "`tset` is no task; the tasks are setup, demo, test, fits and help"),
-            ("--no-setup", "cargo xtask does not take `--no-setup`; the tasks are setup, demo, test, fits and help"),
+            ("", "name a task: the tasks are setup, demo, test, fits, peers and help"),
+            ("tset", "`tset` is no task; the tasks are setup, demo, test, fits, peers and help"),
+            (
+                "--no-setup",
+                "cargo xtask does not take `--no-setup`; the tasks are setup, demo, test, fits, peers and help",
+            ),
             ("demo a b", "demo does not take `b`; it takes one scene"),
             ("demo --no-setup", "demo does not take `--no-setup`; it takes one scene"),
             ("test all", "test does not take `all`; it takes --no-setup only"),
+            ("peers three", "peers does not take `three`; it takes --no-install and --json only"),
             ("test -x", "test does not take `-x`; it takes --no-setup only"),
             ("setup now", "setup does not take `now`; it takes nothing"),
             ("help me", "help does not take `me`; it takes nothing"),

@@ -54,6 +54,15 @@ impl CommandLine {
         self.command(workspace).status().map_err(|error| self.not_started(&error))
     }
 
+    /// Runs the command as [`CommandLine::run`] does, what it prints going to the standard error.
+    ///
+    /// # Errors
+    ///
+    /// The program cannot be started.
+    pub fn run_aside(&self, workspace: &Workspace) -> Result<ExitStatus, Failure> {
+        self.command(workspace).stdout(std::io::stderr()).status().map_err(|error| self.not_started(&error))
+    }
+
     /// Whether the command can be started and succeeds, its input being empty and its output dropped.
     pub fn succeeds_silently(&self, workspace: &Workspace) -> bool {
         let null = std::process::Stdio::null;

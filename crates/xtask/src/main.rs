@@ -5,6 +5,7 @@ mod command_line;
 mod console;
 mod demo;
 mod failure;
+mod peers;
 mod programs;
 mod setup;
 mod steps;
@@ -42,6 +43,7 @@ fn run() -> Result<(), Failure> {
             demo::run(&workspace, &scene)
         }
         Task::Fits => suite::make_fits(&workspace),
+        Task::Peers { install, json } => peers::run(&workspace, install, json),
         Task::Test { set_up } => {
             if set_up {
                 setup::set_up(&workspace)?;
