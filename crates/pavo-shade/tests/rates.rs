@@ -45,7 +45,9 @@ fn random_programs_compute_the_same_in_two_parts() {
         let joined = interpret::evaluate(&split.joined, &kept);
         let both = in_two(&whole, &split, &kept);
         prop_assert_eq!(both.len(), expected.len());
-        for ((both, joined), expected) in both.iter().flatten().zip(joined.iter().flatten()).zip(expected.iter().flatten()) {
+        for ((both, joined), expected) in
+            both.iter().flatten().zip(joined.iter().flatten()).zip(expected.iter().flatten())
+        {
             prop_assert!(same_number(*both, *expected), "{:e} in two, {:e} as a whole", both, expected);
             prop_assert!(same_number(*joined, *expected), "{:e} joined, {:e} as a whole", joined, expected);
         }
@@ -117,7 +119,9 @@ fn one_costly_value_is_passed_instead_of_many_cheap_ones_made_of_it() {
 
 #[test]
 fn what_saves_too_little_is_not_passed() {
-    for split in [of_two(|m, x| x * (m + Expr::lit(1.0))), of_two(|m, x| x * m), of_two(|m, _| m), of_two(|_, x| x.sin())] {
+    for split in
+        [of_two(|m, x| x * (m + Expr::lit(1.0))), of_two(|m, x| x * m), of_two(|m, _| m), of_two(|_, x| x.sin())]
+    {
         assert!(split.prepare.is_none() && split.prepared.is_empty(), "{:?}", split.prepared);
         assert_eq!(split.saved.weight(), 0);
     }

@@ -48,6 +48,13 @@ pub struct Prepared {
     pub ty: Type,
 }
 
+impl Prepared {
+    /// How many numbers it is: 1, or 3 for a vector.
+    pub fn components(&self) -> usize {
+        if self.ty == Type::Vec3 { 3 } else { 1 }
+    }
+}
+
 /// A program in two.
 #[derive(Clone, Debug)]
 pub struct Split {
@@ -106,7 +113,8 @@ pub fn split(program: &Program) -> Split {
         prepare: Some(prepare(program, &analysis, &cut, &is_used)),
         joined: joined(program, &analysis, &cut, &is_used),
         prepared: prepared.map(|(slot, _)| Prepared { name: slot.name.clone(), ty: slot.ty }).collect(),
-        saved: program.operations().without(pixel.operations()),
+        // Recording once more may share more: that is not spared by the split.
+        saved: recorded_again(program).operations().without(pixel.operations()),
         pixel,
     }
 }
@@ -121,9 +129,10 @@ impl Split {
     pub fn pixel_point(&self, inputs: &[Input], point: &[f64], round: fn(f64) -> f64) -> Vec<f64> {
         let prepared = self.prepare.as_ref().map_or_else(Vec::new, |prepare| {
             let outputs = evaluate_rounded(prepare, &taken(prepare, inputs, point), round);
-            let numbers = outputs.into_iter().zip(&self.prepared).flat_map(|(value, prepared)| {
-                value.into_iter().take(if prepared.ty == Type::Vec3 { 3 } else { 1 })
-            });
+            let numbers = outputs
+                .into_iter()
+                .zip(&self.prepared)
+                .flat_map(|(value, prepared)| value.into_iter().take(if prepared.ty == Type::Vec3 { 3 } else { 1 }));
             numbers.collect()
         });
         let mut numbers = taken(&self.pixel, inputs, point);
@@ -154,6 +163,14 @@ fn unsplit(program: &Program) -> Split {
         prepared: Vec::new(),
         saved: Operations::default(),
     }
+}
+
+/// The whole program, recorded once more.
+fn recorded_again(program: &Program) -> Program {
+    let graph = Graph::new();
+    let inputs: Vec<Expr<'_>> = program.inputs().iter().map(|input| graph.input(input.clone())).collect();
+    Replay::new(program, &Facts::new(), None, &graph).body(&inputs, None);
+    graph.program()
 }
 
 /// The inputs of the material; the others are absent.

@@ -5,7 +5,7 @@ use super::cut::Cut;
 use super::trace::Context;
 use crate::expr::Expr;
 use crate::graph::{BinaryOp, FunctionParameter, NodeId, Op, Type, UnaryOp};
-use crate::program::{Definition, Program};
+use crate::program::{Definition, Program, operands};
 use crate::specialise::replay::number;
 use crate::value::LeafInfo;
 use std::collections::{BTreeSet, HashMap, HashSet};
@@ -113,6 +113,26 @@ impl Slots {
     }
 }
 
+/// How deep a name looks into what has none.
+const NAME_DEPTH: usize = 3;
+
+/// The names of what a value is computed from.
+fn names_in(definition: &Definition, index: u32, depth: usize, names: &mut BTreeSet<String>) {
+    for operand in operands(definition.nodes[index as usize].op) {
+        let node = &definition.nodes[operand as usize];
+        match (&node.name, node.op) {
+            (Some(name), _) => {
+                names.insert(name.clone());
+            }
+            (None, Op::Parameter(parameter)) => {
+                names.insert(definition.parameters[parameter as usize].name.clone());
+            }
+            _ if depth > 0 => names_in(definition, operand, depth - 1, names),
+            _ => {}
+        }
+    }
+}
+
 /// What a value is called: as its author called it, or from what it is.
 fn name(program: &Program, definition: &Definition, index: u32) -> String {
     let node = &definition.nodes[index as usize];
@@ -143,23 +163,26 @@ fn name(program: &Program, definition: &Definition, index: u32) -> String {
         Op::Binary(BinaryOp::Multiply, a, b) if a == b => {
             operand(a).map_or_else(|| "square".to_owned(), |name| format!("{name}_squared"))
         }
-        Op::Binary(BinaryOp::Multiply, a, b) => match [a, b].into_iter().filter_map(operand).collect::<BTreeSet<_>>() {
-            names if names.is_empty() => "product".to_owned(),
-            names if names.len() == 1 => format!("scaled_{}", names.into_iter().collect::<String>()),
-            names => names.into_iter().collect::<Vec<_>>().join("_times_"),
-        },
         Op::Binary(BinaryOp::Subtract, one, a) if is_one(one) => of("one_minus", a),
         Op::Binary(BinaryOp::Divide, one, a) if is_one(one) => of("inverse", a),
-        Op::Binary(op, ..) => match op {
-            BinaryOp::Add => "sum",
-            BinaryOp::Subtract => "difference",
-            BinaryOp::Divide => "ratio",
-            BinaryOp::Min => "smaller",
-            BinaryOp::Max => "larger",
-            BinaryOp::Dot => "cosine",
-            _ => "value",
+        Op::Binary(op, ..) => {
+            let kind = match op {
+                BinaryOp::Add => "sum",
+                BinaryOp::Subtract => "difference",
+                BinaryOp::Multiply => "product",
+                BinaryOp::Divide => "ratio",
+                BinaryOp::Min => "smaller",
+                BinaryOp::Max => "larger",
+                BinaryOp::Dot => "cosine",
+                BinaryOp::And | BinaryOp::Or => "value",
+            };
+            let mut of = BTreeSet::new();
+            names_in(definition, index, NAME_DEPTH, &mut of);
+            match of.len() {
+                1 => format!("{}_{kind}", of.into_iter().collect::<String>()),
+                _ => kind.to_owned(),
+            }
         }
-        .to_owned(),
         Op::Clamp(x, ..) => of("clamped", x),
         Op::Select(..) => "chosen".to_owned(),
         Op::Mix(..) => "mixed".to_owned(),

@@ -1,8 +1,10 @@
 //! The scene as data.
 
+use std::collections::BTreeMap;
 use std::fmt;
 use std::path::PathBuf;
 
+use pavo_shade::Rate;
 use serde::Serialize;
 
 use super::vocabulary::{DEFAULT_TARGETS, DEFAULT_VARIANT};
@@ -27,6 +29,10 @@ pub struct Scene {
     pub surface: Surface,
     /// The lights the emitted code evaluates.
     pub lights: Lights,
+    /// How often inputs change, by name (one of [`RATED_INPUTS`](super::RATED_INPUTS)), where the scene says so. Else
+    /// the thickness of a film is per pixel, and all other inputs of the material and of the light are per material.
+    #[serde(skip_serializing_if = "BTreeMap::is_empty", serialize_with = "super::serialise::rates")]
+    pub rates: BTreeMap<String, Rate>,
     /// What is emitted, and how.
     pub emit: Emit,
 }
@@ -49,8 +55,15 @@ impl Scene {
             base,
             surface,
             lights: Lights::default(),
+            rates: BTreeMap::new(),
             emit: Emit::default(),
         }
+    }
+
+    /// Whether the functions come in two parts, one of which is run once a material: the scene says what is uniform, or
+    /// asks for it by [`Emit::prepare`].
+    pub fn is_prepared(&self) -> bool {
+        self.emit.prepare || !self.rates.is_empty()
     }
 }
 
@@ -304,6 +317,9 @@ pub struct Emit {
     pub variant: String,
     /// What emitted functions are prefixed with: empty, or an identifier in lower case such as `soap_`.
     pub prefix: String,
+    /// Whether what depends on the material alone is computed by a function of its own, once for all pixels. A scene
+    /// that gives [`Scene::rates`] asks for this by them.
+    pub prepare: bool,
 }
 
 impl Default for Emit {
@@ -313,6 +329,7 @@ impl Default for Emit {
             targets: DEFAULT_TARGETS.iter().map(|&target| target.to_owned()).collect(),
             variant: DEFAULT_VARIANT.to_owned(),
             prefix: String::new(),
+            prepare: false,
         }
     }
 }

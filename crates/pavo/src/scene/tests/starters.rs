@@ -76,6 +76,7 @@ fn every_key_that_the_starter_text_offers_in_a_comment_is_accepted() {
         (&["[ambient]", "ior = 1.0"], &[]),
         (&["[colour]", "observer = ", "illuminant = ", "space = "], &[]),
         (&["[lights]", "punctual = "], &[]),
+        (&["[rates]", "thickness_nm = \"material\""], &[]),
         (&["variant = ", "prefix = "], &[]),
     ];
     for (wanted, dropped) in cases {
