@@ -134,3 +134,17 @@ fn the_inputs_of_the_pixel_carry_the_ranges_of_what_is_prepared() {
     assert_eq!(input.rate, Rate::Material);
     assert!((input.low - 2.0_f64.sqrt()).abs() < 1e-5 && (input.high - 5.0_f64.sqrt()).abs() < 1e-5, "{input:?}");
 }
+
+/// A function that keeps its second argument a parameter.
+#[shade]
+fn scaled<R: Real>(x: R, #[runtime] factor: R) -> R {
+    x * factor.sqrt().exp()
+}
+
+#[test]
+fn what_is_known_at_build_time_is_not_passed() {
+    let split = of_two(|_, x| scaled(x, Expr::lit(3.0)));
+    assert!(split.prepare.is_none());
+    let split = of_two(|m, x| scaled(x, Expr::lit(3.0)) + scaled(x, m));
+    assert!(split.prepare.is_none(), "one function takes both: {:?}", split.prepared);
+}

@@ -96,15 +96,9 @@ pub fn split(program: &Program) -> Split {
             [low, high]
         })
         .collect();
-    let pixel = pixel(program, &slots, &values, &ranges);
-    let is_used: Vec<bool> = slots
-        .body()
-        .iter()
-        .zip(&values)
-        .map(|(slot, value)| {
-            matches!(value, Expr::Node(..)) && pixel.inputs().iter().any(|input| input.name == slot.name)
-        })
-        .collect();
+    let pixel = pixel(program, &slots, &ranges);
+    let takes = |slot: &slots::Slot| pixel.inputs().iter().any(|input| input.name == slot.name);
+    let is_used: Vec<bool> = slots.body().iter().map(takes).collect();
     if !is_used.contains(&true) {
         return unsplit(program);
     }
@@ -196,22 +190,14 @@ fn prepare(program: &Program, analysis: &Analysis, cut: &Cut, is_used: &[bool]) 
 }
 
 /// The program that takes what is prepared.
-fn pixel(program: &Program, slots: &Slots, values: &[Expr<'_>], ranges: &[[f64; 2]]) -> Program {
+fn pixel(program: &Program, slots: &Slots, ranges: &[[f64; 2]]) -> Program {
     let graph = Graph::new();
     let inputs: Vec<Expr<'_>> = program.inputs().iter().map(|input| graph.input(input.clone())).collect();
-    let of_slots = slots.body().iter().zip(values).zip(ranges);
+    let of_slots = slots.body().iter().zip(ranges);
     let prepared: Vec<Expr<'_>> = of_slots
-        .map(|((slot, value), &[low, high])| match *value {
-            Expr::Literal(value) => Expr::Literal(value),
-            Expr::Literal3(value) => Expr::Literal3(value),
-            Expr::Node(..) => graph.input(Input {
-                name: slot.name.clone(),
-                ty: slot.ty,
-                unit: String::new(),
-                low,
-                high,
-                rate: Rate::Material,
-            }),
+        .map(|(slot, &[low, high])| {
+            let (name, unit) = (slot.name.clone(), String::new());
+            graph.input(Input { name, ty: slot.ty, unit, low, high, rate: Rate::Material })
         })
         .collect();
     Replay::new(program, &Facts::new(), Some(slots), &graph).body(&inputs, Some(&prepared));
@@ -251,15 +237,12 @@ fn joined(program: &Program, analysis: &Analysis, cut: &Cut, is_used: &[bool]) -
     let returned = used().map(|(_, value)| *value).collect();
     graph.close(function, returned, leaves.collect(), Some(PREPARED.to_owned()));
     let mut results = graph.results(function, passed).into_iter();
-    let prepared: Vec<Expr<'_>> = values
+    let prepared: Vec<Expr<'_>> = is_used
         .iter()
-        .zip(is_used)
-        .map(|(value, used)| match *value {
-            Expr::Literal(value) => Expr::Literal(value),
-            Expr::Literal3(value) => Expr::Literal3(value),
-            Expr::Node(..) if *used => results.next().expect("a result for each used value"),
-            // Nothing uses it.
-            Expr::Node(..) => Expr::Literal(0.0),
+        .map(|used| match used {
+            true => results.next().expect("a result for each used value"),
+            // Nothing takes it.
+            false => Expr::Literal(0.0),
         })
         .collect();
     Replay::new(program, &Facts::new(), Some(&slots), &graph).body(&inputs, Some(&prepared));

@@ -36,19 +36,11 @@ pub(crate) struct Slots {
     pub passed: HashMap<(usize, u32), Vec<usize>>,
 }
 
-/// What a slot stands for in one context.
-#[derive(Clone, Copy, PartialEq, Eq, Hash)]
-enum Identity {
-    Literal(u64),
-    Literal3([u64; 3]),
-    Node(NodeId),
-}
-
-fn identity(value: Expr<'_>) -> Identity {
+/// What a slot stands for in one context: the node that was traced.
+fn identity(value: Expr<'_>) -> NodeId {
     match value {
-        Expr::Literal(value) => Identity::Literal(value.to_bits()),
-        Expr::Literal3(value) => Identity::Literal3(value.map(f64::to_bits)),
-        Expr::Node(_, id) => Identity::Node(id),
+        Expr::Node(_, id) => id,
+        Expr::Literal(_) | Expr::Literal3(_) => unreachable!("what is known at build time is not passed"),
     }
 }
 
@@ -63,7 +55,7 @@ pub fn slots<'g>(program: &Program, cut: &Cut, contexts: &[Context<'g>]) -> (Slo
         let of_function: Vec<usize> =
             (0..contexts.len()).filter(|&context| contexts[context].function == function).collect();
         let mut made: Vec<Slot> = Vec::new();
-        let mut known: HashMap<Vec<Identity>, usize> = HashMap::new();
+        let mut known: HashMap<Vec<NodeId>, usize> = HashMap::new();
         let mut slot_of = |of_contexts: Vec<Expr<'g>>, values: &mut [Vec<Expr<'g>>], slot: Slot| {
             *known.entry(of_contexts.iter().copied().map(identity).collect()).or_insert_with(|| {
                 for (&context, &value) in of_function.iter().zip(&of_contexts) {
