@@ -171,7 +171,7 @@ fn name(program: &Program, definition: &Definition, index: u32) -> String {
             let mut of = BTreeSet::new();
             names_in(definition, index, NAME_DEPTH, &mut of);
             match of.len() {
-                1 => format!("{}_{kind}", of.into_iter().collect::<String>()),
+                1 | 2 => format!("{}_{kind}", of.into_iter().collect::<Vec<_>>().join("_")),
                 _ => kind.to_owned(),
             }
         }
