@@ -136,7 +136,8 @@ impl Expressions<'_> {
                 None => texts.push(self.whole(argument)),
                 Some(taken) if taken.fields[0].0 == index => match self.definition.nodes[argument as usize].op {
                     Op::Result(called, _) => texts.push(self.name(called)),
-                    _ => unreachable!("what is passed together are results of one call"),
+                    // A field of a struct that this function took: the struct is what stands before the point.
+                    _ => texts.push(self.name(argument).split('.').next().unwrap_or_default().to_owned()),
                 },
                 Some(_) => {}
             }

@@ -27,7 +27,7 @@ pub struct ParameterInfo {
 }
 
 /// How often an input changes.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Rate {
     /// Once a material: a uniform.
     Material,
@@ -38,6 +38,9 @@ pub enum Rate {
 }
 
 impl Rate {
+    /// All rates, the rarest first.
+    pub const ALL: [Rate; 3] = [Rate::Material, Rate::Vertex, Rate::Pixel];
+
     /// The rate as it is written in a manifest.
     pub fn name(self) -> &'static str {
         match self {

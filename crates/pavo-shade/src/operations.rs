@@ -1,6 +1,6 @@
 //! How many operations an evaluation takes, with every call counted in full.
 
-use crate::graph::{BinaryOp, Op, Type, UnaryOp};
+use crate::graph::{BinaryOp, Node, Op, Type, UnaryOp};
 use crate::program::{Definition, Program};
 use core::ops::Add;
 
@@ -18,6 +18,25 @@ pub struct Operations {
     pub fetches: usize,
 }
 
+impl Operations {
+    /// What they cost together, in operations of arithmetic: quotients, roots, transcendental functions and reads of
+    /// tables count for four.
+    pub fn weight(self) -> usize {
+        self.arithmetic + 4 * (self.roots + self.transcendental + self.fetches)
+    }
+
+    /// What is left of these after those are taken away, none below zero.
+    #[must_use]
+    pub fn without(self, other: Self) -> Self {
+        Self {
+            arithmetic: self.arithmetic.saturating_sub(other.arithmetic),
+            roots: self.roots.saturating_sub(other.roots),
+            transcendental: self.transcendental.saturating_sub(other.transcendental),
+            fetches: self.fetches.saturating_sub(other.fetches),
+        }
+    }
+}
+
 impl Add for Operations {
     type Output = Self;
     fn add(self, other: Self) -> Self {
@@ -33,42 +52,50 @@ impl Add for Operations {
 impl Program {
     /// The operations of one evaluation.
     pub fn operations(&self) -> Operations {
-        let mut known: Vec<Operations> = Vec::new();
-        for function in self.functions() {
-            let operations = count(function, &known);
-            known.push(operations);
-        }
-        count(self.body(), &known)
+        count(self.body(), &of_functions(self))
     }
 }
 
+/// The operations of a definition, given those of the functions that it may call.
 fn count(function: &Definition, callees: &[Operations]) -> Operations {
-    let operations = function.nodes.iter().map(|node| {
-        let width = if matches!(node.ty, Type::Vec3 | Type::Mask3) { 3 } else { 1 };
-        let arithmetic = Operations { arithmetic: width, ..Operations::default() };
-        match node.op {
-            Op::Literal(_)
-            | Op::Literal3(_)
-            | Op::Parameter(_)
-            | Op::Vec3(..)
-            | Op::Splat(_)
-            | Op::Component(..)
-            | Op::Result(..)
-            | Op::Unary(UnaryOp::Negate, _) => Operations::default(),
-            Op::Call(callee, _) => callees[callee as usize],
-            Op::Unary(UnaryOp::Sqrt | UnaryOp::InverseSqrt, _) | Op::Binary(BinaryOp::Divide, ..) => {
-                Operations { roots: width, ..Operations::default() }
-            }
-            Op::Unary(UnaryOp::Sin | UnaryOp::Cos | UnaryOp::Exp, _) => {
-                Operations { transcendental: width, ..Operations::default() }
-            }
-            Op::Unary(UnaryOp::Normalize, _) => Operations { arithmetic: 8, roots: 1, ..Operations::default() },
-            Op::Binary(BinaryOp::Dot, ..) => Operations { arithmetic: 5, ..Operations::default() },
-            Op::Fetch(..) => Operations { fetches: 1, ..Operations::default() },
-            Op::Clamp(..) => Operations { arithmetic: 2 * width, ..Operations::default() },
-            Op::Mix(..) => Operations { arithmetic: 4 * width, ..Operations::default() },
-            Op::Unary(..) | Op::Binary(..) | Op::Compare(..) | Op::Select(..) => arithmetic,
+    function.nodes.iter().map(|node| of_node(node, callees)).fold(Operations::default(), Add::add)
+}
+
+/// The operations of each function of a program.
+pub(crate) fn of_functions(program: &Program) -> Vec<Operations> {
+    let mut known: Vec<Operations> = Vec::new();
+    for function in program.functions() {
+        let operations = count(function, &known);
+        known.push(operations);
+    }
+    known
+}
+
+/// The operations of a node, given those of the functions that it may call.
+pub(crate) fn of_node(node: &Node, callees: &[Operations]) -> Operations {
+    let width = if matches!(node.ty, Type::Vec3 | Type::Mask3) { 3 } else { 1 };
+    let arithmetic = Operations { arithmetic: width, ..Operations::default() };
+    match node.op {
+        Op::Literal(_)
+        | Op::Literal3(_)
+        | Op::Parameter(_)
+        | Op::Vec3(..)
+        | Op::Splat(_)
+        | Op::Component(..)
+        | Op::Result(..)
+        | Op::Unary(UnaryOp::Negate, _) => Operations::default(),
+        Op::Call(callee, _) => callees[callee as usize],
+        Op::Unary(UnaryOp::Sqrt | UnaryOp::InverseSqrt, _) | Op::Binary(BinaryOp::Divide, ..) => {
+            Operations { roots: width, ..Operations::default() }
         }
-    });
-    operations.fold(Operations::default(), Add::add)
+        Op::Unary(UnaryOp::Sin | UnaryOp::Cos | UnaryOp::Exp, _) => {
+            Operations { transcendental: width, ..Operations::default() }
+        }
+        Op::Unary(UnaryOp::Normalize, _) => Operations { arithmetic: 8, roots: 1, ..Operations::default() },
+        Op::Binary(BinaryOp::Dot, ..) => Operations { arithmetic: 5, ..Operations::default() },
+        Op::Fetch(..) => Operations { fetches: 1, ..Operations::default() },
+        Op::Clamp(..) => Operations { arithmetic: 2 * width, ..Operations::default() },
+        Op::Mix(..) => Operations { arithmetic: 4 * width, ..Operations::default() },
+        Op::Unary(..) | Op::Binary(..) | Op::Compare(..) | Op::Select(..) => arithmetic,
+    }
 }

@@ -24,9 +24,12 @@ impl From<Language> for Emission<'_> {
 }
 
 /// The functions of a surface: its reflectance, its BRDF and, where the scene has punctual lights, the radiance under
-/// one.
+/// one. Where the scene asks for it and it saves something, what depends on the material alone is computed by a function
+/// `prepare_surface`, whose result the others take.
 pub fn library<'a>(shading: &Shading, emission: impl Into<Emission<'a>>) -> String {
-    let program = shading.program(library_quantity(shading.scene()));
+    let quantity = library_quantity(shading.scene());
+    let program =
+        if shading.scene().is_prepared() { shading.split(quantity).joined } else { shading.program(quantity) };
     pavo_emit::emit_library(&program, &options(shading, emission.into(), Form::Library, program.inputs()))
 }
 

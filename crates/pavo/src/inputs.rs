@@ -1,6 +1,7 @@
 //! What is evaluated, and the run-time inputs that it reads.
 
 use pavo_shade::{Expr, Graph, Input, Rate, Scalar, Type, Vector};
+use std::collections::BTreeMap;
 
 /// What is evaluated of a surface.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -73,6 +74,27 @@ impl<'g> InputReader<Expr<'g>> for GraphReader<'g> {
     }
     fn vector(&mut self, name: &str, [low, high]: [f64; 2], rate: Rate) -> Expr<'g> {
         self.graph.input(Input { low, high, ..Input::colour(name, rate) })
+    }
+}
+
+/// Reads inputs with the rates that a scene gives.
+pub(crate) struct Rated<'a, R> {
+    pub reader: R,
+    pub rates: &'a BTreeMap<String, Rate>,
+}
+
+impl<R> Rated<'_, R> {
+    fn rate(&self, name: &str, default: Rate) -> Rate {
+        self.rates.get(name).copied().unwrap_or(default)
+    }
+}
+
+impl<S: Scalar, R: InputReader<S>> InputReader<S> for Rated<'_, R> {
+    fn number(&mut self, name: &str, unit: &str, range: [f64; 2], rate: Rate) -> S {
+        self.reader.number(name, unit, range, self.rate(name, rate))
+    }
+    fn vector(&mut self, name: &str, range: [f64; 2], rate: Rate) -> S::Vec3 {
+        self.reader.vector(name, range, self.rate(name, rate))
     }
 }
 

@@ -2,7 +2,7 @@
 
 use crate::fitting::{FitCache, NoCache};
 use crate::fixed_film;
-use crate::inputs::{GraphReader, InputList, InputReader, PointReader, ShadingQuantity};
+use crate::inputs::{GraphReader, InputList, InputReader, PointReader, Rated, ShadingQuantity};
 use crate::media::{self, MediaError};
 use crate::methods::{FIRST_WAVELENGTH_NM, LAST_WAVELENGTH_NM, MethodError, MethodRequest};
 use crate::scene::{self, Base, ColourQuantity, FilmMedium, Quantity, Scene, VisibilityK};
@@ -12,7 +12,7 @@ use pavo_optics::surface::{brdf_of_reflectance, shade_surface, surface_brdf, sur
 use pavo_optics::{
     BaseKind, Directions, Film, Finish, Geometry, Layers, Light, Method, Specular, Surface, light::punctual_light,
 };
-use pavo_shade::{Graph, Input, LeftOut, Program, Rate, Scalar, Vector, specialise};
+use pavo_shade::{Graph, Input, LeftOut, Program, Rate, Scalar, Split, Vector, specialise, split};
 use pavo_spectra::{OpticalConstants, Point, Reference, Sensitivities, Stack};
 use rayon::prelude::*;
 use thiserror::Error;
@@ -138,9 +138,9 @@ impl Shading {
 
     /// The run-time inputs of a quantity, in the order in which a point gives them.
     pub fn inputs(&self, quantity: ShadingQuantity) -> Vec<Input> {
-        let mut list = InputList::default();
+        let mut list = self.rated(InputList::default());
         self.run::<f64>(quantity, &mut list);
-        list.inputs
+        list.reader.inputs
     }
 
     /// The colour at one point in `f64`: a number for each component of each input.
@@ -172,16 +172,25 @@ impl Shading {
     /// The program that computes a quantity, with all guards.
     pub fn general_program(&self, quantity: ShadingQuantity) -> Program {
         let graph = Graph::new();
-        let value = self.run(quantity, &mut GraphReader { graph: &graph });
+        let value = self.run(quantity, &mut self.rated(GraphReader { graph: &graph }));
         graph.output(quantity.name(), value.as_vec3());
         graph.program()
+    }
+
+    /// The program of a quantity in two: what is run once a material, and what is run at each pixel.
+    pub fn split(&self, quantity: ShadingQuantity) -> Split {
+        split(&self.program(quantity))
+    }
+
+    fn rated<R>(&self, reader: R) -> Rated<'_, R> {
+        Rated { reader, rates: &self.scene.rates }
     }
 
     /// The program of the fragment entry: the mirrored share of the surroundings, and the radiance of a punctual light
     /// where the scene has them.
     pub fn sphere_program(&self) -> Program {
         let graph = Graph::new();
-        let mut reader = GraphReader { graph: &graph };
+        let mut reader = self.rated(GraphReader { graph: &graph });
         let cosine = reader.number("n_dot_v", "", [0.0, 1.0], Rate::Pixel);
         let directions = self.scene.lights.punctual.then(|| directions(&mut reader));
         let layers = self.layers(&mut reader);

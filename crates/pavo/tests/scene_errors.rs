@@ -138,7 +138,7 @@ fn an_unknown_table_is_refused_with_the_table_that_was_meant() {
             "[lights]",
             "[zebra]",
             "unknown table `[zebra]`",
-            "colour, ambient, film, base, surface, lights, emit",
+            "colour, ambient, film, base, surface, lights, rates, emit",
             "zebra",
         ),
         ("[lights]", "[film.lights]", "unknown key `lights` in [film]", "start it with `[lights]`", "lights"),
@@ -401,6 +401,31 @@ fn a_name_or_prefix_that_no_code_could_carry_is_refused() {
     check_text(&text, "has 65 characters", "at most 64", &format!("'{long}'"));
     let text = edited("prefix", &format!("prefix = '{long}'"));
     check_text(&text, "has 65 characters", "at most 64", &format!("'{long}'"));
+}
+
+#[test]
+fn rates_are_refused_where_there_is_no_such_input_or_rate() {
+    let of_inputs = "the inputs with a rate are: thickness_nm, ambient_ior";
+    let fixed_film = "`ior = [low, high]` at `film.ior`";
+    let cases = [
+        ("opacity = 'pixel'", "unknown input `opacity` in [rates]", of_inputs, "opacity"),
+        ("n_dot_l = 'pixel'", "unknown input `n_dot_l`", of_inputs, "n_dot_l"),
+        ("thickness = 'pixel'", "unknown input `thickness`", "did you mean `thickness_nm`?", "thickness"),
+        ("roughness = 'often'", "unknown rate `often`", "the rates are: material, vertex, pixel", "'often'"),
+        ("roughness = 'uniform'", "unknown rate `uniform`", "did you mean `material`?", "'uniform'"),
+        ("roughness = 1", "`rates.roughness` is a number", "in quotes", "1"),
+        ("film_ior = 'pixel'", "`film_ior` is fixed, so that it has no rate", fixed_film, "'pixel'"),
+        ("base_color = 'pixel'", "`base_color` is fixed", "`base_color = \"input\"`", "'pixel'"),
+        ("visibility_k = 'pixel'", "`visibility_k` is fixed", "[low, high]", "'pixel'"),
+        ("base_kappa = 'pixel'", "this scene has no `base_kappa`", "remove this line", "base_kappa"),
+    ];
+    for (line, message, help, at) in cases {
+        check_text(&edited("[emit]", &format!("[rates]\n{line}\n[emit]")), message, help, at);
+    }
+    check(&[
+        ("[emit]", "rates = 'pixel'\n[emit]", "unknown key `rates` in [lights]", "start it with `[rates]`", "rates"),
+        ("prefix", "prepare = 'yes'", "`emit.prepare` is a string", "`prepare = true`", "'yes'"),
+    ]);
 }
 
 #[test]

@@ -6,7 +6,7 @@
 //! acts is left out, and what then folds exactly. Outside of the declared ranges nothing guards any more.
 
 mod record;
-mod replay;
+pub(crate) mod replay;
 
 pub use record::LeftOut;
 
@@ -25,7 +25,7 @@ pub struct Specialised {
 }
 
 /// What is proven of the nodes of each function; the body comes last.
-type Facts = HashMap<(usize, u32), Vec<Fact>>;
+pub(crate) type Facts = HashMap<(usize, u32), Vec<Fact>>;
 
 /// The program without the guards that the ranges of its inputs make unnecessary.
 pub fn specialise(program: &Program) -> Specialised {

@@ -7,24 +7,30 @@ use crate::expr::{Expr, ExprMask};
 use crate::fold;
 use crate::graph::{ArgumentKey, BinaryOp, FunctionParameter, Graph, NodeId, Op, Type, UnaryOp};
 use crate::program::{Definition, Output, Program, ReturnValue};
+use crate::rates::Slots;
 use crate::real::{Mask, Real, Scalar, Vector};
 use crate::value::LeafInfo;
 use std::collections::HashMap;
 
 /// What a node became.
 #[derive(Clone)]
-enum Replayed<'g> {
+pub(crate) enum Replayed<'g> {
     Number(Expr<'g>),
     Mask(ExprMask<'g>),
     Results(Vec<Expr<'g>>),
+    /// It is not recorded.
+    Absent,
 }
 
-/// A function, and the arguments that have become literal in a call of it.
-type Instance = (u32, Vec<Option<ArgumentKey>>);
+/// A function, whether it takes prepared values, and the arguments that have become literal in a call of it.
+type Instance = (u32, bool, Vec<Option<ArgumentKey>>);
 
-struct Replay<'a, 'g> {
+/// Records a program once more.
+pub(crate) struct Replay<'a, 'g> {
     program: &'a Program,
     facts: &'a Facts,
+    /// Which values of which functions are given instead of computed.
+    slots: Option<&'a Slots>,
     graph: &'g Graph,
     instances: HashMap<Instance, u32>,
 }
@@ -33,29 +39,55 @@ struct Replay<'a, 'g> {
 pub(super) fn replay(program: &Program, facts: &Facts) -> Program {
     let graph = Graph::new();
     let inputs: Vec<Expr<'_>> = program.inputs().iter().map(|input| graph.input(input.clone())).collect();
-    let mut replay = Replay { program, facts, graph: &graph, instances: HashMap::new() };
-    let values = replay.nodes(program.functions().len(), program.body(), &inputs);
-    for output in program.outputs() {
-        graph.output(&output.name, returned(output, &values));
-    }
+    Replay::new(program, facts, None, &graph).body(&inputs, None);
     graph.program()
 }
 
-impl<'g> Replay<'_, 'g> {
-    /// The nodes of a function, recorded into the one that is open.
-    fn nodes(&mut self, function: usize, definition: &Definition, parameters: &[Expr<'g>]) -> Vec<Replayed<'g>> {
+impl<'a, 'g> Replay<'a, 'g> {
+    pub(crate) fn new(program: &'a Program, facts: &'a Facts, slots: Option<&'a Slots>, graph: &'g Graph) -> Self {
+        Self { program, facts, slots, graph, instances: HashMap::new() }
+    }
+
+    /// The body and its outputs, given the inputs and the prepared values.
+    pub(crate) fn body(&mut self, inputs: &[Expr<'g>], prepared: Option<&[Expr<'g>]>) {
+        let values = self.nodes(self.program.functions().len(), self.program.body(), inputs, prepared);
+        for output in self.program.outputs() {
+            self.graph.output(&output.name, returned(output, &values));
+        }
+    }
+
+    /// The nodes of a function, recorded into the one that is open. Where there are prepared values, they take the
+    /// place of what computes them.
+    fn nodes(
+        &mut self,
+        function: usize,
+        definition: &Definition,
+        parameters: &[Expr<'g>],
+        prepared: Option<&[Expr<'g>]>,
+    ) -> Vec<Replayed<'g>> {
+        let given = prepared.zip(self.slots);
         let mut values: Vec<Replayed<'g>> = Vec::new();
         for (node, index) in definition.nodes.iter().zip(0_u32..) {
             self.graph.set_origin(node.location);
             let facts = self.facts.get(&(function, index)).map_or(&[][..], Vec::as_slice);
+            if let Some((prepared, slots)) = given
+                && let Some(&slot) = slots.own.get(&(function, index))
+            {
+                values.push(Replayed::Number(prepared[slot]));
+                continue;
+            }
             let value = match node.op {
                 Op::Parameter(parameter) => Replayed::Number(parameters[parameter as usize]),
                 Op::Call(callee, call) => {
+                    let passed = given.and_then(|(prepared, slots)| {
+                        let passed = slots.passed.get(&(function, index))?;
+                        Some(passed.iter().map(|&slot| prepared[slot]).collect::<Vec<_>>())
+                    });
                     let arguments: Vec<(Expr<'g>, bool)> = definition.calls[call as usize]
                         .iter()
                         .map(|&index| (number(&values, index), is_literal(definition.nodes[index as usize].op)))
                         .collect();
-                    let results = self.call(callee, &arguments, node.location);
+                    let results = self.call(callee, &arguments, passed.as_deref(), node.location);
                     if let (Some(name), Some(call)) = (&node.name, results.iter().find_map(|&result| call_of(result))) {
                         self.graph.name(call, name);
                     }
@@ -87,10 +119,11 @@ impl<'g> Replay<'_, 'g> {
 
     /// A call. Arguments that have become literal are folded into the function; those that were literal before stay
     /// arguments, as their author wants it.
-    fn call(
+    pub(crate) fn call(
         &mut self,
         callee: u32,
         arguments: &[(Expr<'g>, bool)],
+        prepared: Option<&[Expr<'g>]>,
         location: &'static core::panic::Location<'static>,
     ) -> Vec<Expr<'g>> {
         let definition = &self.program.functions()[callee as usize];
@@ -108,7 +141,10 @@ impl<'g> Replay<'_, 'g> {
                 passed.push(self.graph.operand(of_type(*argument, parameter.ty)));
             }
         }
-        let instance = (callee, keys.clone());
+        for &value in prepared.unwrap_or_default() {
+            passed.push(self.graph.operand(value));
+        }
+        let instance = (callee, prepared.is_some(), keys.clone());
         let known = self.instances.get(&instance).copied();
         let function = known.unwrap_or_else(|| {
             let function = self.graph.open(&definition.name, definition.doc.clone());
@@ -122,7 +158,12 @@ impl<'g> Replay<'_, 'g> {
                     self.graph.parameter(function, FunctionParameter { leaf, ty: parameter.ty, whole })
                 });
             }
-            let values = self.nodes(callee as usize, definition, &inside);
+            let slots = self.slots.map_or(&[][..], |slots| slots.of_function[callee as usize].as_slice());
+            let prepared_inside: Option<Vec<Expr<'g>>> = prepared.map(|_| {
+                let parameters = slots.iter().map(|slot| slot.parameter(slots.len()));
+                parameters.map(|parameter| self.graph.parameter(function, parameter)).collect()
+            });
+            let values = self.nodes(callee as usize, definition, &inside, prepared_inside.as_deref());
             let results = definition.results.iter();
             let leaves = results.map(|result| LeafInfo { name: result.name.clone(), doc: result.doc.clone() });
             let returned = definition.results.iter().map(|result| returned(result, &values)).collect();
@@ -135,11 +176,11 @@ impl<'g> Replay<'_, 'g> {
     }
 }
 
-fn is_literal(op: Op) -> bool {
+pub(crate) fn is_literal(op: Op) -> bool {
     matches!(op, Op::Literal(_) | Op::Literal3(_))
 }
 
-fn call_of(result: Expr<'_>) -> Option<NodeId> {
+pub(crate) fn call_of(result: Expr<'_>) -> Option<NodeId> {
     match result.op()? {
         (_, Op::Result(index, _), id) => Some(NodeId { index, ..id }),
         _ => None,
@@ -151,7 +192,7 @@ fn of_type(value: Expr<'_>, ty: Type) -> Expr<'_> {
     if ty == Type::Vec3 { value.as_vec3() } else { value }
 }
 
-fn returned<'g>(output: &Output, values: &[Replayed<'g>]) -> Expr<'g> {
+pub(crate) fn returned<'g>(output: &Output, values: &[Replayed<'g>]) -> Expr<'g> {
     let value = match output.value {
         ReturnValue::Literal(value) => Expr::Literal(value),
         ReturnValue::Literal3(value) => Expr::Literal3(value),
@@ -160,21 +201,21 @@ fn returned<'g>(output: &Output, values: &[Replayed<'g>]) -> Expr<'g> {
     of_type(value, output.ty)
 }
 
-fn number<'g>(values: &[Replayed<'g>], index: u32) -> Expr<'g> {
+pub(crate) fn number<'g>(values: &[Replayed<'g>], index: u32) -> Expr<'g> {
     match &values[index as usize] {
         Replayed::Number(value) => *value,
         _ => unreachable!("a number is expected here"),
     }
 }
 
-fn mask<'g>(values: &[Replayed<'g>], index: u32) -> ExprMask<'g> {
+pub(crate) fn mask<'g>(values: &[Replayed<'g>], index: u32) -> ExprMask<'g> {
     match &values[index as usize] {
         Replayed::Mask(mask) => *mask,
         _ => unreachable!("a condition is expected here"),
     }
 }
 
-fn condition<'g>(op: Op, facts: &[Fact], values: &[Replayed<'g>]) -> ExprMask<'g> {
+pub(crate) fn condition<'g>(op: Op, facts: &[Fact], values: &[Replayed<'g>]) -> ExprMask<'g> {
     if facts.contains(&Fact::Holds) || facts.contains(&Fact::Fails) {
         return ExprMask::Literal(facts.contains(&Fact::Holds));
     }
@@ -187,7 +228,7 @@ fn condition<'g>(op: Op, facts: &[Fact], values: &[Replayed<'g>]) -> ExprMask<'g
     }
 }
 
-fn operation<'g>(op: Op, facts: &[Fact], values: &[Replayed<'g>]) -> Expr<'g> {
+pub(crate) fn operation<'g>(op: Op, facts: &[Fact], values: &[Replayed<'g>]) -> Expr<'g> {
     let of = |index: u32| number(values, index);
     match op {
         Op::Literal(bits) => Expr::Literal(f64::from_bits(bits)),

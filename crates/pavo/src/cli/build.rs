@@ -3,7 +3,7 @@
 use super::arguments;
 use super::check::targets;
 use super::failure::Failure;
-use super::manifest::{InputRow, Manifest, RunRow, Runs, TargetRow, against_reference};
+use super::manifest::{InputRow, Manifest, PreparedRow, Rates, RunRow, Runs, TargetRow, against_reference};
 use super::output;
 use super::points_table::{column_names, digits};
 use super::progress::Progress;
@@ -50,6 +50,7 @@ pub fn run(arguments: &arguments::Build) -> Result<(), Failure> {
         variant: shading.variant().to_string(),
         inputs: library_inputs.inputs().iter().map(InputRow::from).collect(),
         targets: emitted.iter().map(TargetRow::from).collect(),
+        rates: Rates::of(shading),
         operations: shading.program(ShadingQuantity::Reflectance).operations(),
         left_out: shading.left_out(library_quantity(shading.scene())),
         runs,
@@ -171,6 +172,14 @@ fn report(folder: &Path, manifest: &Manifest<'_>, emitted: &[Emitted]) -> String
             }
             text.push_str(&worst(runs));
         }
+    }
+    if manifest.rates.emitted {
+        let names: Vec<&str> = manifest.rates.prepared.iter().map(PreparedRow::name).collect();
+        text.push_str(&format!(
+            "\nPrepared once a material: {}. Each pixel is spared {} operations.\n",
+            names.join(", "),
+            manifest.rates.saved_per_pixel.weight()
+        ));
     }
     let reference = &manifest.against_reference;
     text.push_str(&format!(

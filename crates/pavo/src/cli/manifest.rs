@@ -1,6 +1,7 @@
 //! The manifest: all that is known of what was built.
 
 use super::sources::Emitted;
+use crate::emission::library_quantity;
 use crate::inputs::ShadingQuantity;
 use crate::points::spread;
 use crate::roads::Road;
@@ -8,7 +9,7 @@ use crate::scene::Scene;
 use crate::shading::Shading;
 use crate::statistics::Difference;
 use pavo_check::{DeviceDescription, Verdict};
-use pavo_shade::{Input, LeftOut, Operations};
+use pavo_shade::{Input, LeftOut, Operations, Prepared, Program};
 use serde::Serialize;
 
 /// What is written as `manifest.json`.
@@ -24,6 +25,8 @@ pub struct Manifest<'a> {
     pub inputs: Vec<InputRow>,
     /// The files with their verdicts.
     pub targets: Vec<TargetRow<'a>>,
+    /// What can be computed once a material, and what that saves.
+    pub rates: Rates,
     /// Operations of one evaluation of the reflectance.
     pub operations: Operations,
     /// The guards that the functions do without, since the ranges of the inputs make them unnecessary.
@@ -56,6 +59,51 @@ impl From<&Input> for InputRow {
             low: input.low,
             high: input.high,
             rate: input.rate.name(),
+        }
+    }
+}
+
+/// The functions in two parts.
+#[derive(Serialize)]
+pub struct Rates {
+    /// Whether the functions were emitted so.
+    pub emitted: bool,
+    /// The values that are prepared once a material.
+    pub prepared: Vec<PreparedRow>,
+    /// Operations of one evaluation of the whole.
+    pub whole: Operations,
+    /// Operations of the part that is run once a material.
+    pub prepare: Operations,
+    /// Operations that each pixel is spared.
+    pub saved_per_pixel: Operations,
+}
+
+/// A prepared value.
+#[derive(Serialize)]
+pub struct PreparedRow {
+    name: String,
+    components: usize,
+}
+
+impl PreparedRow {
+    /// The name of the value.
+    pub fn name(&self) -> &str {
+        &self.name
+    }
+}
+
+impl Rates {
+    /// The split of what a library is of.
+    pub fn of(shading: &Shading) -> Self {
+        let quantity = library_quantity(shading.scene());
+        let split = shading.split(quantity);
+        let row = |prepared: &Prepared| PreparedRow { name: prepared.name.clone(), components: prepared.components() };
+        Self {
+            emitted: shading.scene().is_prepared() && split.prepare.is_some(),
+            prepared: split.prepared.iter().map(row).collect(),
+            whole: shading.program(quantity).operations(),
+            prepare: split.prepare.as_ref().map_or_else(Operations::default, Program::operations),
+            saved_per_pixel: split.saved,
         }
     }
 }

@@ -1,8 +1,10 @@
 //! The scene as data.
 
+use std::collections::BTreeMap;
 use std::fmt;
 use std::path::{Path, PathBuf};
 
+use pavo_shade::Rate;
 use serde::Serialize;
 
 use super::vocabulary::{DEFAULT_TARGETS, DEFAULT_VARIANT};
@@ -30,6 +32,10 @@ pub struct Scene {
     /// What a variant that is chosen by itself must keep to.
     #[serde(skip_serializing_if = "Budget::is_empty")]
     pub budget: Budget,
+    /// How often inputs change, by name (one of [`RATED_INPUTS`](super::RATED_INPUTS)), where the scene says so. Else
+    /// the thickness of a film is per pixel, and all other inputs of the material and of the light are per material.
+    #[serde(skip_serializing_if = "BTreeMap::is_empty", serialize_with = "super::serialise::rates")]
+    pub rates: BTreeMap<String, Rate>,
     /// What is emitted, and how.
     pub emit: Emit,
 }
@@ -68,6 +74,7 @@ impl Scene {
             surface,
             lights: Lights::default(),
             budget: Budget::default(),
+            rates: BTreeMap::new(),
             emit: Emit::default(),
         }
     }
@@ -87,6 +94,12 @@ impl Scene {
             IlluminantSource::Named(_) => None,
         };
         film.into_iter().chain(base).chain(illuminant).map(PathBuf::as_path).collect()
+    }
+
+    /// Whether the functions come in two parts, one of which is run once a material: the scene says what is uniform, or
+    /// asks for it by [`Emit::prepare`].
+    pub fn is_prepared(&self) -> bool {
+        self.emit.prepare || !self.rates.is_empty()
     }
 }
 
@@ -340,6 +353,9 @@ pub struct Emit {
     pub variant: String,
     /// What emitted functions are prefixed with: empty, or an identifier in lower case such as `soap_`.
     pub prefix: String,
+    /// Whether what depends on the material alone is computed by a function of its own, once for all pixels. A scene
+    /// that gives [`Scene::rates`] asks for this by them.
+    pub prepare: bool,
 }
 
 impl Default for Emit {
@@ -349,6 +365,7 @@ impl Default for Emit {
             targets: DEFAULT_TARGETS.iter().map(|&target| target.to_owned()).collect(),
             variant: DEFAULT_VARIANT.to_owned(),
             prefix: String::new(),
+            prepare: false,
         }
     }
 }

@@ -1,7 +1,9 @@
 //! From a parsed TOML document to a scene.
 
+use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
+use pavo_shade::Rate;
 use toml::de::{DeTable, DeValue};
 
 use super::fault::{Checked, Fault};
@@ -9,10 +11,11 @@ use super::model::{
     Ambient, Base, Budget, Colour, ColourQuantity, Emit, Film, FilmMedium, IlluminantSource, Lights, Quantity, Scene,
     Surface, VisibilityK,
 };
+use super::places::key_text;
 use super::shown::shown;
 use super::suggest::did_you_mean;
 use super::table::{Table, numbers, wrong_type};
-use super::vocabulary::{VISIBILITY_NAMES, WORKFLOWS};
+use super::vocabulary::{RATED_INPUTS, RATES, VISIBILITY_NAMES, WORKFLOWS};
 
 const FILM_HELP: &str =
     "a film has `ior` (or `material`, or `csv`) and `thickness_nm`; for a surface without a film leave `[film]` out";
@@ -32,6 +35,7 @@ pub(super) fn read(document: &DeTable<'_>, directory: &Path) -> Checked<Scene> {
     let surface = top.table("surface")?;
     let lights = top.table("lights")?;
     let budget = top.table("budget")?;
+    let rates = top.table("rates")?;
     let emit = top.table("emit")?;
 
     let base = read_base(&base.ok_or_else(missing_base)?, directory)?;
@@ -44,6 +48,7 @@ pub(super) fn read(document: &DeTable<'_>, directory: &Path) -> Checked<Scene> {
         base,
         lights: lights.map_or_else(|| Ok(Lights::default()), |table| read_lights(&table))?,
         budget: budget.map_or_else(|| Ok(Budget::default()), |table| read_budget(&table))?,
+        rates: rates.map_or_else(|| Ok(BTreeMap::new()), |table| read_rates(&table))?,
         emit: emit.map_or_else(|| Ok(Emit::default()), |table| read_emit(&table))?,
     })
 }
@@ -222,6 +227,35 @@ fn read_budget(table: &Table<'_>) -> Checked<Budget> {
     }
 }
 
+fn read_rates(table: &Table<'_>) -> Checked<BTreeMap<String, Rate>> {
+    let mut rates = BTreeMap::new();
+    for key in table.keys() {
+        if !RATED_INPUTS.contains(&key) {
+            return Err(unknown_input(key).in_key());
+        }
+        let name = table.string(key)?.unwrap_or_default();
+        let Some(rate) = Rate::ALL.into_iter().find(|rate| rate.name() == name) else {
+            let message = format!("unknown rate `{}`", shown(name));
+            return Err(Fault::at(
+                table.path(key),
+                "unknown rate",
+                message,
+                did_you_mean(name, RATES, "the rates are"),
+            ));
+        };
+        rates.insert(key.to_owned(), rate);
+    }
+    Ok(rates)
+}
+
+/// The fault of a rate for an input that no scene has.
+pub(super) fn unknown_input(name: &str) -> Box<Fault> {
+    let key = key_text(name);
+    let message = format!("unknown input `{}` in [rates]", shown(&key));
+    let help = did_you_mean(name, RATED_INPUTS, "the inputs with a rate are");
+    Fault::at(format!("rates.{key}"), "unknown input", message, help)
+}
+
 fn read_emit(table: &Table<'_>) -> Checked<Emit> {
     let default = Emit::default();
     let targets = table.strings("targets")?;
@@ -229,5 +263,6 @@ fn read_emit(table: &Table<'_>) -> Checked<Emit> {
         targets: targets.map_or(default.targets, |list| list.into_iter().map(str::to_owned).collect()),
         variant: table.string("variant")?.map_or(default.variant, str::to_owned),
         prefix: table.string("prefix")?.map_or(default.prefix, str::to_owned),
+        prepare: table.boolean("prepare")?.unwrap_or(default.prepare),
     })
 }

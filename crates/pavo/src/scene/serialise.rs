@@ -1,8 +1,16 @@
 //! A scene as TOML or JSON again, in the shape that [`Scene::from_toml`](super::Scene::from_toml) reads.
 
+use std::collections::BTreeMap;
+
+use pavo_shade::Rate;
 use serde::ser::{Serialize, SerializeMap, Serializer};
 
 use super::model::{Base, ColourQuantity, FilmMedium, IlluminantSource, Quantity, VisibilityK};
+
+/// Rates by their names.
+pub(super) fn rates<S: Serializer>(rates: &BTreeMap<String, Rate>, serializer: S) -> Result<S::Ok, S::Error> {
+    serializer.collect_map(rates.iter().map(|(input, rate)| (input, rate.name())))
+}
 
 impl Serialize for Quantity {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {

@@ -28,7 +28,7 @@ impl<'a> Table<'a> {
         Ok(Table { name: "", entries })
     }
 
-    /// The table `name`, every key of which is one that this table may have; `None` where the file has none.
+    /// The table `name`, every key of which is one that this table may have, where these are known; `None` where the file has none.
     pub(super) fn table(&self, name: &'static str) -> Checked<Option<Table<'a>>> {
         let Some(value) = self.value(name) else { return Ok(None) };
         let DeValue::Table(entries) = value else {
@@ -39,7 +39,7 @@ impl<'a> Table<'a> {
         let allowed = TABLES.iter().find(|(table, _)| *table == name).map_or(&[][..], |(_, keys)| keys);
         for (key, _) in entries {
             let key: &str = key.get_ref();
-            if !allowed.contains(&key) {
+            if !allowed.is_empty() && !allowed.contains(&key) {
                 return Err(unknown_in_table(name, key, allowed));
             }
         }
@@ -49,6 +49,11 @@ impl<'a> Table<'a> {
     /// The path of `key`, as messages name it.
     pub(super) fn path(&self, key: &str) -> String {
         if self.name.is_empty() { key.to_owned() } else { format!("{}.{key}", self.name) }
+    }
+
+    /// The keys that the file gives.
+    pub(super) fn keys(&self) -> impl Iterator<Item = &'a str> {
+        self.entries.keys().map(|key| key.get_ref().as_ref())
     }
 
     /// Whether the file gives `key`.

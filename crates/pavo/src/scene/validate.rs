@@ -43,6 +43,7 @@ pub(super) fn check(scene: &Scene) -> Checked<()> {
     if let Some(max_delta_e) = scene.budget.max_delta_e {
         check_number("budget.max_delta_e", max_delta_e, &DELTA_E_LIMITS)?;
     }
+    check_rates(scene)?;
     check_emit(&scene.emit)
 }
 
@@ -195,6 +196,78 @@ fn check_metalness(surface: &Surface, base: &Base) -> Checked<()> {
         }
         (None, _) => Ok(()),
     }
+}
+
+/// What a scene says of an input.
+enum Given {
+    /// It is one.
+    Input,
+    /// It is fixed by this key.
+    Fixed(&'static str),
+    /// The scene has nothing of the kind.
+    Absent,
+}
+
+fn check_rates(scene: &Scene) -> Checked<()> {
+    for name in scene.rates.keys() {
+        let path = format!("rates.{name}");
+        match given(scene, name) {
+            Some(Given::Input) => {}
+            Some(Given::Fixed(key)) => {
+                let (_, word) = key.rsplit_once('.').unwrap_or(("", key));
+                let value = if name == "base_color" { "\"input\"" } else { "[low, high]" };
+                let message = format!("`{name}` is fixed, so that it has no rate");
+                let help = format!("remove this line, or make it an input: `{word} = {value}` at `{key}`");
+                return Err(Fault::at(path, "of a fixed value", message, help));
+            }
+            Some(Given::Absent) => {
+                let message = format!("this scene has no `{name}`, so that it has no rate");
+                return Err(Fault::at(path, "not in this scene", message, "remove this line").in_key());
+            }
+            None => return Err(super::read::unknown_input(name).in_key()),
+        }
+    }
+    Ok(())
+}
+
+/// What a scene says of the input of this name; nothing where no scene has one of this name.
+fn given(scene: &Scene, name: &str) -> Option<Given> {
+    let surface = &scene.surface;
+    let of = |quantity: Option<Quantity>, key: &'static str| match quantity {
+        None => Given::Absent,
+        Some(quantity) if quantity.is_input() => Given::Input,
+        Some(_) => Given::Fixed(key),
+    };
+    let (base_ior, base_kappa) = match scene.base {
+        Base::Dielectric { ior } => (Some(ior), None),
+        Base::Conductor { ior, kappa } => (Some(ior), Some(kappa)),
+        Base::Metal { .. } | Base::Table { .. } | Base::Metalness => (None, None),
+    };
+    let light = if scene.lights.punctual { Given::Input } else { Given::Absent };
+    Some(match name {
+        "thickness_nm" => of(scene.film.as_ref().map(|film| film.thickness_nm), "film.thickness_nm"),
+        "ambient_ior" => of(Some(scene.ambient.ior), "ambient.ior"),
+        "film_ior" => match scene.film.as_ref().map(|film| &film.medium) {
+            Some(FilmMedium::Index(ior)) => of(Some(*ior), "film.ior"),
+            Some(FilmMedium::Material(_) | FilmMedium::Table(_)) => Given::Fixed("film.ior"),
+            None => Given::Absent,
+        },
+        "base_ior" => of(base_ior, "base.ior"),
+        "base_kappa" => of(base_kappa, "base.kappa"),
+        "roughness" => of(Some(surface.roughness), "surface.roughness"),
+        "base_color" => match surface.base_color {
+            None => Given::Absent,
+            Some(ColourQuantity::Input) => Given::Input,
+            Some(ColourQuantity::Fixed(_)) => Given::Fixed("surface.base_color"),
+        },
+        "metalness" => of(surface.metalness, "surface.metalness"),
+        "visibility_k" => match surface.visibility_k {
+            VisibilityK::Value(k) => of(Some(k), "surface.visibility_k"),
+            VisibilityK::Punctual | VisibilityK::ImageBased => Given::Fixed("surface.visibility_k"),
+        },
+        "light_color" | "light_intensity" => light,
+        _ => return None,
+    })
 }
 
 fn check_emit(emit: &Emit) -> Checked<()> {

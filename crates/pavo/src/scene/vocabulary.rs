@@ -42,6 +42,24 @@ pub(super) const WORKFLOWS: &[&str] = &["metalness"];
 /// The names that `surface.visibility_k` may take instead of a number.
 pub(super) const VISIBILITY_NAMES: &[&str] = &["punctual", "ibl"];
 
+/// The inputs whose rate a scene may say. Directions and the cosines between them are always per pixel.
+pub const RATED_INPUTS: &[&str] = &[
+    "thickness_nm",
+    "ambient_ior",
+    "film_ior",
+    "base_ior",
+    "base_kappa",
+    "roughness",
+    "base_color",
+    "metalness",
+    "visibility_k",
+    "light_color",
+    "light_intensity",
+];
+
+/// The rates of an input: once a material, at each vertex, at each pixel.
+pub const RATES: &[&str] = &["material", "vertex", "pixel"];
+
 /// The keys before the first table.
 pub(super) const TOP_KEYS: &[&str] = &["name"];
 
@@ -54,7 +72,9 @@ pub(super) const TABLES: &[(&str, &[&str])] = &[
     ("surface", &["roughness", "diffuse", "base_color", "metalness", "visibility_k"]),
     ("lights", &["punctual"]),
     ("budget", &["max_delta_e"]),
-    ("emit", &["targets", "variant", "prefix"]),
+    // Its keys are names of inputs, which are checked where they are read.
+    ("rates", &[]),
+    ("emit", &["targets", "variant", "prefix", "prepare"]),
 ];
 
 /// Words that people write for one of ours and that no edit distance would find.
@@ -81,6 +101,11 @@ pub(super) const ALIASES: &[(&str, &str)] = &[
     ("equal-energy", "E"),
     ("tungsten", "A"),
     ("incandescent", "A"),
+    ("uniform", "material"),
+    ("constant", "material"),
+    ("varying", "vertex"),
+    ("fragment", "pixel"),
+    ("thickness", "thickness_nm"),
     ("webgl2", "essl300"),
     ("webgpu", "wgsl"),
     ("vulkan", "spirv"),

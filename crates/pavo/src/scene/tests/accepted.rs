@@ -1,6 +1,9 @@
 //! What a scene's text means.
 
+use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
+
+use pavo_shade::Rate;
 
 use crate::scene::{
     Ambient, Base, Budget, Colour, ColourQuantity, Emit, Film, FilmMedium, IlluminantSource, Lights, Quantity, Scene,
@@ -40,10 +43,15 @@ fn a_scene_in_full_is_read_key_by_key() {
         punctual = false
         [budget]
         max_delta_e = 0.5
+        [rates]
+        film_ior = "pixel"
+        ambient_ior = "vertex"
+        visibility_k = "material"
         [emit]
         targets = ["spirv-asm", "glsl330"]
         variant = "exact"
         prefix = "film_2_"
+        prepare = true
     "#;
     let expected = Scene {
         name: "Full_1".to_owned(),
@@ -64,13 +72,21 @@ fn a_scene_in_full_is_read_key_by_key() {
         },
         lights: Lights { punctual: false },
         budget: Budget { max_delta_e: Some(0.5) },
+        rates: BTreeMap::from([
+            ("film_ior".to_owned(), Rate::Pixel),
+            ("ambient_ior".to_owned(), Rate::Vertex),
+            ("visibility_k".to_owned(), Rate::Material),
+        ]),
         emit: Emit {
             targets: vec!["spirv-asm".to_owned(), "glsl330".to_owned()],
             variant: "exact".to_owned(),
             prefix: "film_2_".to_owned(),
+            prepare: true,
         },
     };
     assert_eq!(read(text), expected);
+    let again = toml::to_string(&expected).expect("a scene can be written as TOML");
+    assert_eq!(Scene::from_toml("again.toml", &again, Path::new("")).expect("it reads back"), expected);
 }
 
 #[test]
@@ -204,6 +220,14 @@ fn a_scene_built_in_rust_is_held_to_the_same_rules() {
                 ..Scene::new("x", Base::Metalness)
             },
             "surface.metalness",
+        ),
+        (
+            Scene { rates: BTreeMap::from([("opacity".to_owned(), Rate::Pixel)]), ..Scene::new("x", glass.clone()) },
+            "rates.opacity",
+        ),
+        (
+            Scene { rates: BTreeMap::from([("base_ior".to_owned(), Rate::Pixel)]), ..Scene::new("x", glass.clone()) },
+            "rates.base_ior",
         ),
         (Scene { emit: Emit { targets: Vec::new(), ..Emit::default() }, ..Scene::new("x", glass) }, "emit.targets"),
     ];

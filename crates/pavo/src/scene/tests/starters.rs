@@ -77,6 +77,7 @@ fn every_key_that_the_starter_text_offers_in_a_comment_is_accepted() {
         (&["[colour]", "observer = ", "illuminant = ", "space = "], &[]),
         (&["[lights]", "punctual = "], &[]),
         (&["[budget]", "max_delta_e = "], &[]),
+        (&["[rates]", "thickness_nm = \"material\""], &[]),
         (&["variant = ", "prefix = "], &[]),
     ];
     for (wanted, dropped) in cases {
