@@ -35,6 +35,7 @@ impl FitCache for NoCache {
 
 /// A fit of sensitivities that is asked for.
 #[derive(Clone, Copy, Debug)]
+#[cfg_attr(not(feature = "fit"), allow(dead_code))]
 pub(crate) struct SensitivityRequest<'a> {
     pub family: FitFamily,
     /// Number of terms.
@@ -46,6 +47,7 @@ pub(crate) struct SensitivityRequest<'a> {
 
 /// A fit of wave numbers in groups that is asked for.
 #[derive(Clone, Debug)]
+#[cfg_attr(not(feature = "fit"), allow(dead_code))]
 pub(crate) struct GroupsRequest<'a> {
     pub media: &'a Stack,
     /// The smallest and the largest thickness, nm.
@@ -58,6 +60,7 @@ pub(crate) struct GroupsRequest<'a> {
 
 /// A fit of one scene's reflectance that is asked for.
 #[derive(Clone, Debug)]
+#[cfg_attr(not(feature = "fit"), allow(dead_code))]
 pub(crate) struct SceneRequest<'a> {
     pub media: &'a Stack,
     /// The smallest and the largest thickness, nm.
