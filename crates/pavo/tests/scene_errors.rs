@@ -138,7 +138,7 @@ fn an_unknown_table_is_refused_with_the_table_that_was_meant() {
             "[lights]",
             "[zebra]",
             "unknown table `[zebra]`",
-            "colour, ambient, film, base, surface, lights, rates, emit",
+            "colour, ambient, film, base, surface, lights, budget, rates, emit",
             "zebra",
         ),
         ("[lights]", "[film.lights]", "unknown key `lights` in [film]", "start it with `[lights]`", "lights"),
