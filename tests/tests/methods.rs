@@ -64,7 +64,9 @@ fn every_method_computes_on_lavapipe_what_it_computes_on_the_cpu() {
             let cpu_f64 = shading.evaluate_each(QUANTITY, &double);
             for road in [Road::Wgsl, Road::Glsl] {
                 let found = run(&device, road, &shading, &points);
-                for (expected, allowed) in [(&cpu_f32, 5e-6), (&cpu_f64, 2e-5)] {
+                // The kernel under a window multiplies what it rounds by up to 10.
+                let rounding = if matches!(variant, Variant::Windowed { .. }) { 1e-5 } else { 5e-6 };
+                for (expected, allowed) in [(&cpu_f32, rounding), (&cpu_f64, 2e-5)] {
                     let difference = Difference::between(&found, expected, 1);
                     if difference.max > allowed || difference.not_finite > 0 {
                         failures.push(format!("{variant} of {name} by {}: {difference:?}", road.name()));
