@@ -1,7 +1,8 @@
 //! A film under one angle as the windowed fits see it: what does not depend on the fit is computed once.
 
-use pavo_optics::series::SeriesTerms;
-use pavo_optics::windowed::WindowedFilm;
+use pavo_optics::BaseKind;
+use pavo_optics::relative::RelativeFilm;
+use pavo_optics::windowed::{Phase, WindowedFilm};
 use pavo_spectra::Point;
 
 use crate::media::Media;
@@ -9,15 +10,19 @@ use crate::media::Media;
 /// A film at one angle and thickness.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct FilmPoint {
-    opd_nm: f64,
-    /// Coefficients of the series for s and p polarisation.
-    series: [SeriesTerms<f64>; 2],
+    path_nm: f64,
+    base: BaseKind,
+    waves: RelativeFilm<f64>,
 }
 
 impl FilmPoint {
     /// The film of `media` at an angle of incidence (the cosine above 0, to 1) and a thickness.
     pub(super) fn new(media: Media, point: Point) -> Self {
-        Self { opd_nm: media.opd_per_nm(point.cos_theta1) * point.thickness_nm, series: media.series(point.cos_theta1) }
+        Self {
+            path_nm: media.path_per_nm(point.cos_theta1) * point.thickness_nm,
+            base: media.base_kind(),
+            waves: media.waves(point.cos_theta1),
+        }
     }
 
     /// The reflectance for a node of weight 1 at each of the angular wave numbers, radians per nm, under a window of this
@@ -27,11 +32,16 @@ impl FilmPoint {
         width_nm: f64,
         angular_wave_numbers: impl Iterator<Item = f64>,
     ) -> impl Iterator<Item = f64> {
-        let film = WindowedFilm::new(width_nm, self.series, self.opd_nm);
-        let opd_nm = self.opd_nm;
+        let film = WindowedFilm::new(width_nm, self.base, self.waves, self.path_nm);
+        let (base, path_nm) = (self.base, self.path_nm);
         angular_wave_numbers.map(move |wave_number| {
-            let (sine, cosine) = (wave_number * opd_nm).sin_cos();
-            film.rest - film.node(cosine, sine)
+            let phase = 2.0 * wave_number * path_nm;
+            let phase = if base.is_real() {
+                Phase::HalfSineSquared((0.5 * phase).sin().powi(2))
+            } else {
+                Phase::Wave([phase.cos(), phase.sin()])
+            };
+            film.rest - 2.0 * film.scale * film.node(phase)
         })
     }
 }

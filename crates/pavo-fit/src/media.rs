@@ -2,9 +2,9 @@
 
 use num_complex::Complex64;
 use pavo_optics::BaseKind;
-use pavo_optics::film::{Media as Indices, film_terms};
-use pavo_optics::poles::both_series_terms;
-use pavo_optics::series::SeriesTerms;
+use pavo_optics::film::Media as Indices;
+use pavo_optics::relative::{RelativeFilm, relative_film};
+use pavo_optics::series::{SeriesTerms, both_series_terms};
 
 /// A film on a base, seen from an ambient medium.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -29,15 +29,18 @@ impl Media {
 
     /// Coefficients of the series over orders for s and p polarisation, at the cosine of an angle of incidence, above 0.
     pub(crate) fn series(&self, cos_theta1: f64) -> [SeriesTerms<f64>; 2] {
-        let indices = self.indices(cos_theta1);
-        let wave = indices.wave(false);
-        let base = indices.base_wave(self.base_kind(), self.base.re, self.base.im);
-        both_series_terms(film_terms(false, indices, wave, base), indices, wave.q2, base)
+        both_series_terms(self.waves(cos_theta1))
     }
 
-    /// The optical path difference for each nm of thickness.
-    pub(crate) fn opd_per_nm(&self, cos_theta1: f64) -> f64 {
-        2.0 * self.indices(cos_theta1).wave(false).q2
+    /// The waves outside the film, at the cosine of an angle of incidence, above 0.
+    pub(crate) fn waves(&self, cos_theta1: f64) -> RelativeFilm<f64> {
+        let indices = self.indices(cos_theta1);
+        relative_film(self.base_kind(), indices, indices.wave(false), self.base.re, self.base.im)
+    }
+
+    /// The optical path of one pass for each nm of thickness.
+    pub(crate) fn path_per_nm(&self, cos_theta1: f64) -> f64 {
+        self.indices(cos_theta1).wave(false).q2
     }
 
     /// The angle and the indices above the base.

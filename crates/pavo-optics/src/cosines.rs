@@ -3,32 +3,27 @@
 //!
 //! `R_j = 1 - Q - 2 Q Re sum_(m = 1 .. M) b^m g^(m^2) sum_k w_jk e^(i m omega_k D)`.
 
-use crate::film::{BaseWave, FilmTerms, Media};
-use crate::poles::both_series_terms;
-use crate::series::{multiples, order_amplitudes, order_sum, powers_of_square};
-use crate::windowed::{Window, phases};
+use crate::relative::RelativeFilm;
+use crate::series::{both_series_terms, multiples, order_amplitudes, order_sum, powers_of_square};
+use crate::windowed::{Window, closing, waves};
 use pavo_shade::{Lanes, Scalar, Value, Vector};
 
-/// Reflectance of the film by a truncated sum of cosines.
+/// Reflectance of the film by a truncated sum of cosines, at the optical path of one pass.
 pub fn cosines_reflectance<S: Scalar, R: Lanes<S> + Value<Leaf = S::Leaf>>(
     window: &Window,
     order: usize,
-    terms: FilmTerms<R>,
-    media: Media<S>,
-    q2: S,
-    base: BaseWave<R>,
-    opd_nm: S,
+    film: RelativeFilm<R>,
+    path_nm: S,
 ) -> S::Vec3 {
-    let [s, p] = both_series_terms(terms, media, q2, base);
+    let [s, p] = both_series_terms(film);
     let average = R::lit(1.0) - (s.transmittance + p.transmittance) * R::lit(0.5);
     let mut color = average.into_vec3();
-    let spread = (opd_nm * S::lit(1.0 / window.width_nm)).named("spread");
-    let g = (-(spread * spread)).exp().named("window");
+    let [g, _] = closing(window.width_nm, path_nm);
     let damping = powers_of_square(g, order, "window").into_iter().map(R::from_scalar);
     let amplitudes = order_amplitudes(order, s, p).into_iter().zip(damping);
     let damped: Vec<[R; 2]> =
         amplitudes.map(|([re, im], g)| [(re * g).named("damped"), (im * g).named("damped_im")]).collect();
-    for ([cosine, sine], weight) in phases(window, opd_nm).into_iter().zip(&window.weights) {
+    for ([cosine, sine], weight) in waves(window, path_nm).into_iter().zip(&window.weights) {
         let waves = multiples(cosine, sine, order).into_iter().map(|wave| wave.map(R::from_scalar));
         let node = order_sum(&damped, std::iter::repeat(R::lit(1.0)), waves);
         color = (color - S::Vec3::lit3(*weight) * node.into_vec3()).named("color");

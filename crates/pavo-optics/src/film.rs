@@ -4,12 +4,13 @@ use crate::airy::{AiryTerms, airy_reflectance, airy_terms};
 use crate::cosines::cosines_reflectance;
 use crate::grouped::{WindowGroup, channel_base, grouped_reflectance};
 use crate::poles::{Pole, poles_reflectance};
+use crate::relative::relative_film;
 use crate::series::{GaussianFit, series_reflectance};
 use crate::spectral::{SpectralNode, dispersive_reflectance, spectral_reflectance};
 use crate::tabulated::{TransformTable, tabulated_reflectance};
 use crate::wave::{NormalComponent, normal_component_absorbing, normal_component_squared, p_component_absorbing};
 use crate::windowed::{Window, windowed_reflectance};
-use core::f64::consts::PI;
+use core::f64::consts::TAU;
 use pavo_shade::{Lanes, Real, Scalar, Value, Vector, shade};
 
 /// What the base is made of.
@@ -22,6 +23,13 @@ pub enum BaseKind {
     },
     /// A complex index.
     Conductor,
+}
+
+impl BaseKind {
+    /// Whether the wave in the base is real at every angle: a dielectric that does not reflect totally.
+    pub fn is_real(self) -> bool {
+        self == BaseKind::Dielectric { total_reflection: false }
+    }
 }
 
 /// How the reflectance over the spectrum becomes a colour.
@@ -93,6 +101,8 @@ pub struct FilmWave<R> {
     pub q2_squared: R,
     /// The modulus of the normal wave vector component.
     pub q2: R,
+    /// 1 over it.
+    pub q2_inverse: R,
 }
 
 /// The terms of Airy's closed form for both polarisations.
@@ -117,12 +127,15 @@ pub struct BaseWave<R: Real> {
 pub fn film_wave<R: Real>(total_reflection: bool, cos_theta1: R, ambient_ior: R, film_ior: R) -> FilmWave<R> {
     let smallest = R::lit(1e-12);
     let square = normal_component_squared(cos_theta1, ambient_ior, film_ior);
-    if !total_reflection {
+    let (q2_squared, modulus) = if total_reflection {
+        let q2_squared = R::select(square.abs().less_than(smallest), smallest, square).named("q2_squared");
+        (q2_squared, q2_squared.abs())
+    } else {
         let q2_squared = square.max(smallest).named("q2_squared");
-        return FilmWave { q2_squared, q2: q2_squared.sqrt().named("q2") };
-    }
-    let q2_squared = R::select(square.abs().less_than(smallest), smallest, square).named("q2_squared");
-    FilmWave { q2_squared, q2: q2_squared.abs().sqrt().named("q2") }
+        (q2_squared, q2_squared)
+    };
+    let q2_inverse = modulus.inverse_sqrt().named("q2_inverse");
+    FilmWave { q2_squared, q2: (modulus * q2_inverse).named("q2"), q2_inverse }
 }
 
 /// Normal wave vector components in the base.
@@ -138,11 +151,14 @@ pub fn base_wave<R: Real>(base: BaseKind, cos_theta1: R, ambient_ior: R, base_io
             // Without total reflection the square is a sum of two that are not negative.
             let re = if total_reflection { square.max(zero) } else { square }.sqrt().named("q3");
             let im = if total_reflection { (-square).max(zero).sqrt().named("q3_decay") } else { zero };
+            let modulus = if total_reflection { square.abs() } else { square };
             let scale = (R::lit(1.0) / (base_ior * base_ior)).named("base_scale");
-            BaseWave {
-                s: NormalComponent { re, im },
-                p: NormalComponent { re: (re * scale).named("q3_p"), im: (im * scale).named("q3_p_decay") },
-            }
+            let p = NormalComponent {
+                re: (re * scale).named("q3_p"),
+                im: (im * scale).named("q3_p_decay"),
+                modulus: (modulus * (scale * scale)).named("q3_p_modulus"),
+            };
+            BaseWave { s: NormalComponent { re, im, modulus }, p }
         }
     }
 }
@@ -226,47 +242,47 @@ pub fn film_reflectance<S: Scalar, R: Lanes<S> + Value<Leaf = S::Leaf>>(
 ) -> S::Vec3 {
     let media = Media { cos_theta1, ambient_ior, film_ior };
     let wave = media.wave(film.total_reflection);
-    let opd_nm = 2.0 * thickness_nm * wave.q2;
+    let path_nm = thickness_nm * wave.q2;
+    let opd_nm = 2.0 * path_nm;
     if let Method::Spectral { nodes } = &film.method
         && nodes.iter().any(|node| node.base.is_some() || node.film.is_some())
     {
         let base_index = [base_ior, base_kappa];
-        return dispersive_reflectance::<S, R>(film, nodes, media, thickness_nm, opd_nm, base_index);
+        return dispersive_reflectance::<S, R>(film, nodes, media, thickness_nm, path_nm, base_index);
     }
     if let Method::WindowedGroups { window, groups } = &film.method {
         let base_index = [base_ior, base_kappa];
-        let grouped = grouped_reflectance::<S, R>(film, window, groups, media, thickness_nm, opd_nm, base_index);
+        let grouped = grouped_reflectance::<S, R>(film, window, groups, media, thickness_nm, path_nm, base_index);
         if !film.total_reflection {
             return grouped;
         }
         let [base_ior, base_kappa] = channel_base::<S, R>(window, groups, base_index);
         let terms = film_terms(true, media, wave, media.base_wave(film.base, base_ior, base_kappa));
         let is_total_reflection = wave.q2_squared.less_than(0.0);
-        let frustrated = frustrated_reflectance::<S, S::Vec3>(film, terms, wave, opd_nm);
+        let frustrated = frustrated_reflectance::<S, S::Vec3>(film, terms, wave, path_nm);
         return S::Vec3::choose(is_total_reflection, frustrated, grouped);
     }
-    let base = media.base_wave(film.base, base_ior, base_kappa);
-    let terms = film_terms(film.total_reflection, media, wave, base);
+    let airy = || film_terms(film.total_reflection, media, wave, media.base_wave(film.base, base_ior, base_kappa));
+    if let Method::Spectral { nodes } = &film.method {
+        return spectral_reflectance::<S, R>(film.total_reflection, nodes, airy(), wave, path_nm);
+    }
+    let relative = relative_film(film.base, media, wave, base_ior, base_kappa);
     let series = match &film.method {
-        Method::WindowedGroups { .. } => unreachable!("it has returned above"),
-        Method::Spectral { nodes } => {
-            return spectral_reflectance::<S, R>(film.total_reflection, nodes, terms, wave, opd_nm);
-        }
-        Method::Series { order, fit } => series_reflectance::<S, R>(*order, fit, terms, media, wave.q2, base, opd_nm),
+        Method::WindowedGroups { .. } | Method::Spectral { .. } => unreachable!("they have returned above"),
+        Method::Series { order, fit } => series_reflectance::<S, R>(*order, fit, relative, opd_nm),
         Method::TabulatedSeries { order, transform } => {
-            tabulated_reflectance::<S, R>(*order, transform, terms, media, wave.q2, base, opd_nm)
+            tabulated_reflectance::<S, R>(*order, transform, relative, opd_nm)
         }
-        Method::Poles { poles } => poles_reflectance::<S, R>(poles, terms, media, wave.q2, base, opd_nm),
-        Method::Windowed { window } => windowed_reflectance::<S, R>(window, terms, media, wave.q2, base, opd_nm),
-        Method::Cosines { order, window } => {
-            cosines_reflectance::<S, R>(window, *order, terms, media, wave.q2, base, opd_nm)
-        }
+        Method::Poles { poles } => poles_reflectance::<S, R>(poles, relative, opd_nm),
+        Method::Windowed { window } => windowed_reflectance::<S, R>(window, film.base, relative, path_nm),
+        Method::Cosines { order, window } => cosines_reflectance::<S, R>(window, *order, relative, path_nm),
     };
     if !film.total_reflection {
         return series;
     }
+    let terms = airy();
     let is_total_reflection = wave.q2_squared.less_than(0.0);
-    S::Vec3::choose(is_total_reflection, frustrated_reflectance::<S, R>(film, terms, wave, opd_nm), series)
+    S::Vec3::choose(is_total_reflection, frustrated_reflectance::<S, R>(film, terms, wave, path_nm), series)
 }
 
 /// Under total internal reflection into the film the round trips decay instead of interfering: the exact reflectance
@@ -275,7 +291,7 @@ fn frustrated_reflectance<S: Scalar, R: Lanes<S> + Value<Leaf = S::Leaf>>(
     film: &Film,
     terms: FilmTerms<R>,
     wave: FilmWave<S>,
-    opd_nm: S,
+    path_nm: S,
 ) -> S::Vec3 {
     let channels = |terms: AiryTerms<R>| AiryTerms {
         transmitted: terms.transmitted.into_vec3(),
@@ -283,7 +299,7 @@ fn frustrated_reflectance<S: Scalar, R: Lanes<S> + Value<Leaf = S::Leaf>>(
         contrast: terms.contrast.into_vec3(),
         absorption: terms.absorption.into_vec3(),
     };
-    let half_wave_numbers = S::Vec3::lit3(film.channel_wavelengths_nm.map(|wavelength| PI / wavelength));
-    let phase = half_wave_numbers * opd_nm;
+    let wave_numbers = S::Vec3::lit3(film.channel_wavelengths_nm.map(|wavelength| TAU / wavelength));
+    let phase = wave_numbers * path_nm;
     airy_reflectance(true, channels(terms.s), channels(terms.p), S::Vec3::splat(wave.q2_squared), phase)
 }

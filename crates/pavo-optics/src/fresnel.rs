@@ -34,10 +34,16 @@ pub fn fresnel_dielectric<R: Real>(
     let q1 = ambient_ior * cos_theta1;
     let q3_squared = normal_component_squared(cos_theta1, ambient_ior, base_ior);
     let zero = R::lit(0.0);
-    let q3 = NormalComponent { re: q3_squared.max(zero).sqrt(), im: (-q3_squared).max(zero).sqrt() };
+    let (re, im) = (q3_squared.max(zero).sqrt(), (-q3_squared).max(zero).sqrt());
+    let q3 = NormalComponent { re, im, modulus: q3_squared.abs() };
     let inverse_permittivity = 1.0 / (base_ior * base_ior);
     let q1_p = q1 * (1.0 / (ambient_ior * ambient_ior));
-    let q3_p = NormalComponent { re: q3.re * inverse_permittivity, im: q3.im * inverse_permittivity };
+    let scale = inverse_permittivity * inverse_permittivity;
+    let q3_p = NormalComponent {
+        re: q3.re * inverse_permittivity,
+        im: q3.im * inverse_permittivity,
+        modulus: q3.modulus * scale,
+    };
     (boundary_reflectance(q1, q3) + boundary_reflectance(q1_p, q3_p)) * 0.5
 }
 

@@ -4,9 +4,9 @@
 //! `R_j = sum_groups (W_j rest - sum_k w_jk node_k)`, with `W_j` the share of the group in channel j, and `rest` and `node`
 //! those of [`WindowedFilm`] for the indices of the group.
 
-use crate::film::{BaseKind, Film, Media, film_terms};
-use crate::poles::both_series_terms;
-use crate::windowed::{Window, WindowedFilm, closing, phases};
+use crate::film::{BaseKind, Film, Media};
+use crate::relative::relative_film;
+use crate::windowed::{Phase, Window, WindowedFilm, closing, color_of_nodes, phases};
 use pavo_shade::{Lanes, Real, Scalar, Value, Vector, shade};
 
 /// Consecutive wave numbers that share their indices.
@@ -52,9 +52,8 @@ pub fn windowed_group<S: Scalar, R: Lanes<S> + Value<Leaf = S::Leaf>>(
 ) -> WindowedFilm<R> {
     let media = Media { cos_theta1, ambient_ior, film_ior };
     let wave = media.wave(total_reflection);
-    let base = media.base_wave(base, base_ior, base_kappa);
-    let terms = film_terms(total_reflection, media, wave, base);
-    WindowedFilm::under([window, window_squared], both_series_terms(terms, media, wave.q2, base))
+    let film = relative_film(base, media, wave, base_ior, base_kappa);
+    WindowedFilm::under([window, window_squared], base, film)
 }
 
 /// Reflectance of the film by groups of wave numbers under a window, all orders. Groups without an index of their own have
@@ -65,24 +64,24 @@ pub fn grouped_reflectance<S: Scalar, R: Lanes<S> + Value<Leaf = S::Leaf>>(
     groups: &[WindowGroup],
     media: Media<S>,
     thickness_nm: S,
-    opd_nm: S,
+    path_nm: S,
     base_index: [R; 2],
 ) -> S::Vec3 {
     let Media { cos_theta1, ambient_ior, .. } = media;
     // What groups without a film index of their own share.
-    let closing_of_all = closing(window.width_nm, opd_nm);
-    let mut phases_of_all = phases(window, opd_nm).into_iter();
+    let closing_of_all = closing(window.width_nm, path_nm);
+    let mut phases_of_all = phases(window, film.base, path_nm).into_iter();
     let mut color = S::Vec3::lit(0.0);
     for (part, group) in parts(window, groups) {
         let [base_ior, base_kappa] = group.base.map_or(base_index, |(ior, kappa)| [R::lit(ior), R::lit(kappa)]);
         let film_ior = group.film.map_or(media.film_ior, S::lit);
-        let shared: Vec<[S; 2]> = phases_of_all.by_ref().take(part.weights.len()).collect();
+        let shared: Vec<Phase<S>> = phases_of_all.by_ref().take(part.weights.len()).collect();
         let (phases, [g, g_squared]) = match group.film {
             None => (shared, closing_of_all),
             Some(_) => {
                 let wave = Media { film_ior, ..media }.wave(film.total_reflection);
-                let opd_nm = (S::lit(2.0) * thickness_nm * wave.q2).named("opd_nm");
-                (phases(&part, opd_nm), closing(window.width_nm, opd_nm))
+                let path_nm = (thickness_nm * wave.q2).named("path_nm");
+                (phases(&part, film.base, path_nm), closing(window.width_nm, path_nm))
             }
         };
         let terms = windowed_group::<S, R>(
@@ -97,12 +96,9 @@ pub fn grouped_reflectance<S: Scalar, R: Lanes<S> + Value<Leaf = S::Leaf>>(
             base_kappa,
         )
         .named("group");
-        color = (color + S::Vec3::lit3(share(&part.weights)) * terms.rest.into_vec3()).named("color");
-        for (phase, weight) in phases.into_iter().zip(&part.weights) {
-            let [cosine, sine] = phase.map(R::from_scalar);
-            let node = terms.node(cosine, sine).named("node");
-            color = (color - S::Vec3::lit3(*weight) * node.into_vec3()).named("color");
-        }
+        let nodes = phases.into_iter().map(|phase| terms.node(phase.map(R::from_scalar)));
+        let rest = (color + S::Vec3::lit3(share(&part.weights)) * terms.rest.into_vec3()).named("color");
+        color = color_of_nodes(terms, film.base, nodes, &part.weights, rest);
     }
     color
 }

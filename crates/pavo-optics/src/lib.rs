@@ -22,6 +22,7 @@ pub mod light;
 pub mod metalness;
 pub mod microfacet;
 pub mod poles;
+pub mod relative;
 pub mod series;
 pub mod spectral;
 pub mod surface;

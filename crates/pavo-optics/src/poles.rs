@@ -7,8 +7,8 @@
 //!
 //! `b` and `Q` are those of [`crate::series`].
 
-use crate::film::{BaseWave, FilmTerms, Media};
-use crate::series::{SeriesTerms, series_terms};
+use crate::relative::RelativeFilm;
+use crate::series::{SeriesTerms, both_series_terms};
 use pavo_shade::{Lanes, Real, Scalar, Value, Vector, shade};
 
 /// One pole of the sensitivities: `weight e^((i angular_wave_number - decay) D)`, `D` in nm.
@@ -75,13 +75,10 @@ fn order_sum<R: Real>(terms: SeriesTerms<R>, cosine: R, sine: R, names: [&str; 3
 /// Reflectance of the film by poles, all orders.
 pub fn poles_reflectance<S: Scalar, R: Lanes<S> + Value<Leaf = S::Leaf>>(
     poles: &[Pole],
-    terms: FilmTerms<R>,
-    media: Media<S>,
-    q2: S,
-    base: BaseWave<R>,
+    film: RelativeFilm<R>,
     opd_nm: S,
 ) -> S::Vec3 {
-    let [s, p] = both_series_terms(terms, media, q2, base);
+    let [s, p] = both_series_terms(film);
     let average = R::lit(1.0) - (s.transmittance + p.transmittance) * R::lit(0.5);
     let mut color = average.into_vec3();
     for pole in poles {
@@ -92,18 +89,4 @@ pub fn poles_reflectance<S: Scalar, R: Lanes<S> + Value<Leaf = S::Leaf>>(
         color = (color - weighted).named("color");
     }
     color
-}
-
-/// Coefficients of the series for s and p polarisation.
-pub fn both_series_terms<S: Scalar, R: Lanes<S> + Value<Leaf = S::Leaf>>(
-    terms: FilmTerms<R>,
-    media: Media<S>,
-    q2: S,
-    base: BaseWave<R>,
-) -> [SeriesTerms<R>; 2] {
-    let lanes = R::from_scalar;
-    let q2_p = (q2 * media.film_p_scale()).named("q2_p");
-    let s = series_terms(terms.s, lanes(media.q1()), lanes(q2), base.s).named("series_s");
-    let p = series_terms(terms.p, lanes(media.q1_p()), lanes(q2_p), base.p).named("series_p");
-    [s, p]
 }

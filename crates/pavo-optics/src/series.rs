@@ -8,10 +8,7 @@
 //! where `D` is the optical path difference and `S_j` the Fourier transform of the sensitivity of channel j over the
 //! wave number, `S_j(0) = 1`. It is the main result of Belcour and Barla 2017 with `C_0 = 1 - Q`, `C_m = -Q b^m`.
 
-use crate::airy::AiryTerms;
-use crate::film::{BaseWave, FilmTerms, Media};
-use crate::poles::both_series_terms;
-use crate::wave::NormalComponent;
+use crate::relative::{RelativeFilm, RelativeWaves};
 use pavo_shade::{Lanes, Real, Scalar, Value, Vector, shade};
 
 /// One Gaussian of the sensitivities over the wave number, as it appears in their Fourier transform:
@@ -52,37 +49,35 @@ pub struct SeriesTerms<R: Real> {
 /// Source: Belcour and Barla 2017, equations 6 and 7, for a complex base index.
 #[shade]
 pub fn series_terms<R: Real>(
-    /// Terms of Airy's closed form.
-    terms: AiryTerms<R>,
-    /// Normal wave vector component in the ambient medium (for p polarisation over the permittivity).
-    q1: R,
-    /// The same in the film.
-    q2: R,
-    /// The same in the base.
-    q3: NormalComponent<R>,
+    /// Wave vectors outside the film, over that in the film.
+    waves: RelativeWaves<R>,
 ) -> SeriesTerms<R> {
-    let q2_squared = q2 * q2;
-    let modulus = q3.re * q3.re + q3.im * q3.im;
-    let average = q2 * (q3.re * (q1 * q1 + q2_squared) + q1 * (q2_squared + modulus));
-    let scale = 1.0 / (2.0 * (terms.offset + average) + terms.contrast).max(1e-30);
+    let ambient_squared = waves.ambient * waves.ambient;
+    let ambient_sum = 1.0 + ambient_squared;
+    let base_sum = 1.0 + waves.base_squared;
+    let entering = waves.ambient * waves.base;
+    let mean = waves.base * ambient_sum + waves.ambient * base_sum;
+    let ambient_difference = (1.0 - ambient_squared) / (ambient_sum * base_sum + 4.0 * entering + 2.0 * mean);
     SeriesTerms {
-        transmittance: terms.transmitted / average.max(1e-30),
-        round_trip: terms.contrast * scale,
-        round_trip_im: terms.absorption * scale,
+        transmittance: 4.0 * entering / mean.max(1e-30),
+        round_trip: ambient_difference * (1.0 - waves.base_squared),
+        round_trip_im: -(2.0 * waves.base_decay * ambient_difference),
     }
+}
+
+/// Coefficients of the series for s and p polarisation.
+pub fn both_series_terms<R: Real>(film: RelativeFilm<R>) -> [SeriesTerms<R>; 2] {
+    [series_terms(film.s).named("series_s"), series_terms(film.p).named("series_p")]
 }
 
 /// Reflectance of the film by the series, up to an order.
 pub fn series_reflectance<S: Scalar, R: Lanes<S> + Value<Leaf = S::Leaf>>(
     order: usize,
     fit: &GaussianFit,
-    terms: FilmTerms<R>,
-    media: Media<S>,
-    q2: S,
-    base: BaseWave<R>,
+    film: RelativeFilm<R>,
     opd_nm: S,
 ) -> S::Vec3 {
-    let [s, p] = both_series_terms(terms, media, q2, base);
+    let [s, p] = both_series_terms(film);
     let average = R::lit(1.0) - (s.transmittance + p.transmittance) * R::lit(0.5);
     let mut color = average.into_vec3();
     let amplitudes = order_amplitudes(order, s, p);

@@ -2,7 +2,7 @@
 
 use crate::airy::airy_reflectance;
 use crate::film::{BaseKind, Film, FilmTerms, FilmWave, Media, film_terms};
-use core::f64::consts::PI;
+use core::f64::consts::TAU;
 use pavo_shade::{Lanes, Real, Scalar, Value, Vector, shade};
 
 /// A wavelength of the quadrature.
@@ -19,9 +19,9 @@ pub struct SpectralNode {
 }
 
 impl SpectralNode {
-    /// Half the phase of a round trip per nm of optical path difference, radians: pi / wavelength.
-    fn half_wave_number(&self) -> f64 {
-        PI / self.wavelength_nm
+    /// Half the phase of a round trip per nm of the optical path of one pass, radians: 2 pi / wavelength.
+    fn wave_number(&self) -> f64 {
+        TAU / self.wavelength_nm
     }
 }
 
@@ -31,11 +31,11 @@ pub fn spectral_reflectance<S: Scalar, R: Lanes<S> + Value<Leaf = S::Leaf>>(
     nodes: &[SpectralNode],
     terms: FilmTerms<R>,
     wave: FilmWave<S>,
-    opd_nm: S,
+    path_nm: S,
 ) -> S::Vec3 {
     let q2_squared = R::from_scalar(wave.q2_squared);
     weighted(nodes, |node| {
-        let phase = R::from_scalar(opd_nm * S::lit(node.half_wave_number()));
+        let phase = R::from_scalar(path_nm * S::lit(node.wave_number()));
         airy_reflectance(total_reflection, terms.s, terms.p, q2_squared, phase).into_vec3()
     })
 }
@@ -46,17 +46,17 @@ pub fn dispersive_reflectance<S: Scalar, R: Lanes<S> + Value<Leaf = S::Leaf>>(
     nodes: &[SpectralNode],
     media: Media<S>,
     thickness_nm: S,
-    opd_nm: S,
+    path_nm: S,
     base_index: [R; 2],
 ) -> S::Vec3 {
     let Media { cos_theta1, ambient_ior, film_ior } = media;
     let (total_reflection, base) = (film.total_reflection, film.base);
     weighted(nodes, |node| {
-        let half_wave_number = S::lit(node.half_wave_number());
+        let wave_number = S::lit(node.wave_number());
         let [base_ior, base_kappa] = node.base.map_or(base_index, |(ior, kappa)| [R::lit(ior), R::lit(kappa)]);
         let reflectance = match node.film {
             None => {
-                let phase = opd_nm * half_wave_number;
+                let phase = path_nm * wave_number;
                 node_reflectance::<S, R>(
                     total_reflection,
                     base,
@@ -74,7 +74,7 @@ pub fn dispersive_reflectance<S: Scalar, R: Lanes<S> + Value<Leaf = S::Leaf>>(
                 cos_theta1,
                 thickness_nm,
                 ambient_ior,
-                half_wave_number,
+                wave_number,
                 S::lit(film_ior),
                 base_ior,
                 base_kappa,
@@ -99,9 +99,9 @@ pub fn film_node_reflectance<S: Scalar, R: Lanes<S> + Value<Leaf = S::Leaf>>(
     thickness_nm: S,
     /// Refractive index of the ambient medium, > 0.
     ambient_ior: S,
-    /// Half the wave number in vacuum, pi / wavelength, radians per nm.
+    /// Wave number in vacuum, 2 pi / wavelength, radians per nm.
     #[runtime]
-    half_wave_number: S,
+    wave_number: S,
     /// Refractive index of the film at this wavelength, > 0.
     #[runtime]
     film_ior: S,
@@ -113,7 +113,7 @@ pub fn film_node_reflectance<S: Scalar, R: Lanes<S> + Value<Leaf = S::Leaf>>(
     base_kappa: R,
 ) -> R {
     let media = Media { cos_theta1, ambient_ior, film_ior };
-    let phase = 2.0 * thickness_nm * media.wave(total_reflection).q2 * half_wave_number;
+    let phase = thickness_nm * media.wave(total_reflection).q2 * wave_number;
     airy_at_node(total_reflection, base, media, phase, base_ior, base_kappa)
 }
 

@@ -3,9 +3,8 @@
 //! `S_j(D) = E_j(D) e^(i omega_j D)`: the carrier `omega_j` is the mean wave number of the channel, so that the envelope
 //! `E_j` varies slowly and is read between two rows. Beyond the table's end the sensitivities have died away.
 
-use crate::film::{BaseWave, FilmTerms, Media};
-use crate::poles::both_series_terms;
-use crate::series::order_amplitudes;
+use crate::relative::RelativeFilm;
+use crate::series::{both_series_terms, order_amplitudes};
 use pavo_shade::{Lanes, Real, Scalar, Table, Value, Vector, shade};
 
 /// The transform of the sensitivities at equal steps of the optical path difference.
@@ -59,13 +58,10 @@ pub fn tabulated_sensitivity<S: Scalar>(
 pub fn tabulated_reflectance<S: Scalar, R: Lanes<S> + Value<Leaf = S::Leaf>>(
     order: usize,
     transform: &TransformTable,
-    terms: FilmTerms<R>,
-    media: Media<S>,
-    q2: S,
-    base: BaseWave<R>,
+    film: RelativeFilm<R>,
     opd_nm: S,
 ) -> S::Vec3 {
-    let [s, p] = both_series_terms(terms, media, q2, base);
+    let [s, p] = both_series_terms(film);
     let average = R::lit(1.0) - (s.transmittance + p.transmittance) * R::lit(0.5);
     let mut color = average.into_vec3();
     for (index, [re, im]) in order_amplitudes(order, s, p).into_iter().enumerate() {

@@ -9,6 +9,8 @@ pub struct NormalComponent<R: Real> {
     pub re: R,
     /// Imaginary part: decay.
     pub im: R,
+    /// Square of the modulus, `re^2 + im^2`.
+    pub modulus: R,
 }
 
 /// Square of the normal wave vector component in a dielectric, `n^2 - ambient_ior^2 sin^2(theta1)`, in a form that
@@ -37,12 +39,16 @@ pub fn normal_component_absorbing<R: Real>(
     kappa: R,
 ) -> NormalComponent<R> {
     let real = normal_component_squared(cos_theta1, ambient_ior, ior) - kappa * kappa;
-    let imaginary = 2.0 * ior * kappa;
-    let modulus = (real * real + imaginary * imaginary).sqrt();
-    let larger = ((modulus + real.abs()) * 0.5).sqrt();
-    let smaller = imaginary / (2.0 * larger).max(1e-20);
+    let half_imaginary = ior * kappa;
+    let modulus = (real * real + 4.0 * (half_imaginary * half_imaginary)).sqrt();
+    let larger_squared = ((modulus + real.abs()) * 0.5).max(1e-30);
+    let inverse = larger_squared.inverse_sqrt();
+    let larger = larger_squared * inverse;
+    let smaller = half_imaginary * inverse;
     let is_metallic = real.less_than(R::lit(0.0));
-    NormalComponent { re: R::select(is_metallic, smaller, larger), im: R::select(is_metallic, larger, smaller) }
+    let re = R::select(is_metallic, smaller, larger);
+    let im = R::select(is_metallic, larger, smaller);
+    NormalComponent { re, im, modulus }
 }
 
 /// The normal component for p polarisation, `q / (n + i kappa)^2`. Its imaginary part may be negative.
@@ -59,10 +65,11 @@ pub fn p_component_absorbing<R: Real>(
 ) -> NormalComponent<R> {
     let permittivity_re = (ior - kappa) * (ior + kappa);
     let permittivity_im = 2.0 * ior * kappa;
-    let modulus = ior * ior + kappa * kappa;
-    let scale = 1.0 / (modulus * modulus);
+    let permittivity_modulus = ior * ior + kappa * kappa;
+    let scale = 1.0 / (permittivity_modulus * permittivity_modulus);
     NormalComponent {
         re: (q.re * permittivity_re + q.im * permittivity_im) * scale,
         im: (q.im * permittivity_re - q.re * permittivity_im) * scale,
+        modulus: q.modulus * scale,
     }
 }

@@ -6,11 +6,11 @@
 //!
 //! `R_j = 1 - sum_pol Q (1 - kappa) / 2 - sum_pol (kappa Q / 2) sum_k w_jk (1 - |B|^2) / |1 - B e^(i omega_k D)|^2`.
 //!
-//! The cosines of equally spaced phases follow from two of them by a recurrence.
+//! With a real `B` the kernel is `1 / (f cos^2(phase / 2) + sin^2(phase / 2) / f)`, `f = (1 - B) / (1 + B)`: it loses no
+//! digits where B approaches 1, at grazing angles. Equally spaced phases follow from two of them by a recurrence.
 
-use crate::film::{BaseWave, FilmTerms, Media};
-use crate::poles::both_series_terms;
-use crate::series::SeriesTerms;
+use crate::film::BaseKind;
+use crate::relative::{RelativeFilm, RelativeWaves};
 use pavo_shade::{Lanes, Real, Scalar, Value, Vector, shade};
 
 /// Equally spaced wave numbers with weights, under a window.
@@ -27,124 +27,295 @@ pub struct Window {
     pub weights: Vec<[f64; 3]>,
 }
 
-/// One polarisation under the window: a node contributes `strength / (offset - re cos + im sin)`.
+/// One polarisation of a film on a real base, under the window.
 #[shade]
-pub struct WindowTerms<R: Real> {
-    /// `kappa Q (1 - |B|^2) / 2`.
-    pub strength: R,
-    /// `1 + |B|^2`.
-    pub offset: R,
-    /// `2 Re B`.
-    pub re: R,
-    /// `2 Im B`; 0 for a dielectric base.
-    pub im: R,
+pub struct RealKernel<R: Real> {
+    /// `4 r u / Q`, with `r` and `u` the waves in the ambient medium and the base over that in the film.
+    pub mean: R,
+    /// `f = (1 - B) / (1 + B)`: the kernel runs from `1 / f` at phase 0 to `f` at phase pi.
+    pub flatness: R,
 }
 
-/// One polarisation under the window.
+/// One polarisation of a film on a real base, under the window.
 ///
 /// Source: the Poisson kernel over orders of Belcour and Barla 2017, equation 9.
 #[shade]
-pub fn window_terms<S: Scalar, R: Lanes<S> + Value<Leaf = S::Leaf>>(
-    /// Coefficients of the series.
-    terms: SeriesTerms<R>,
-    /// The window g at this optical path difference, (0, 1].
-    window: S,
-    /// Its square, held at 0.1 or above.
-    window_squared: S,
-) -> WindowTerms<R> {
-    let damping = R::from_scalar(window * window_squared);
-    let round_trip = terms.round_trip * damping;
-    let round_trip_im = terms.round_trip_im * damping;
-    let modulus = round_trip * round_trip + round_trip_im * round_trip_im;
-    let one = R::lit(1.0);
-    let strength = terms.transmittance * R::from_scalar(0.5 / window_squared) * (one - modulus);
-    WindowTerms { strength, offset: one + modulus, re: R::lit(2.0) * round_trip, im: R::lit(2.0) * round_trip_im }
+pub fn real_kernel<R: Real>(
+    /// Wave vectors outside the film, over that in the film.
+    waves: RelativeWaves<R>,
+    /// What is left of a round trip: `g h`, (0, 1].
+    damping: R,
+) -> RealKernel<R> {
+    // At 0 nothing enters, and the kernel has no width.
+    let ambient = waves.ambient.max(1e-6);
+    let straight = 1.0 + ambient * waves.base;
+    let crossed = ambient + waves.base;
+    let entering = straight + crossed;
+    let reflected = damping * (straight - crossed);
+    RealKernel { mean: straight * crossed, flatness: (entering - reflected) / (entering + reflected) }
 }
 
-/// Both polarisations under the window, at one optical path difference: `rest` less what the nodes contribute is the
-/// reflectance.
+/// One polarisation of a film on a complex base, under the window: a node contributes
+/// `1 / (offset - cosine cos(phase) - sine sin(phase))`.
+#[shade]
+pub struct ComplexKernel<R: Real> {
+    /// `Q / 4`.
+    pub transmittance: R,
+    /// `4 (1 + |B|^2) / (kappa Q (1 - |B|^2))`.
+    pub offset: R,
+    /// `8 Re B / (kappa Q (1 - |B|^2))`.
+    pub cosine: R,
+    /// `-8 Im B / (kappa Q (1 - |B|^2))`.
+    pub sine: R,
+}
+
+/// One polarisation of a film on a complex base, under the window.
+///
+/// Source: the Poisson kernel over orders of Belcour and Barla 2017, equation 9.
+#[shade]
+pub fn complex_kernel<R: Real>(
+    /// Wave vectors outside the film, over that in the film.
+    waves: RelativeWaves<R>,
+    /// What is left of a round trip: `g h`, (0, 1].
+    damping: R,
+    /// The square h of the window, held at 0.1 or above.
+    window_squared: R,
+) -> ComplexKernel<R> {
+    // Beyond these the kernel is sharper than its cosines are exact.
+    let ambient = waves.ambient.max(2e-3).min(500.0);
+    let damping_squared = damping * damping;
+    let kept = 1.0 + damping_squared;
+    let lost = 1.0 - damping_squared;
+    let ambient_squared = ambient * ambient;
+    let ambient_sum = 1.0 + ambient_squared;
+    let base_sum = 1.0 + waves.base_squared;
+    let entering = ambient * waves.base;
+    let mean = waves.base * ambient_sum + ambient * base_sum;
+    let transmittance = waves.ambient * waves.base / mean.max(1e-30);
+    // With B = damping t / s: (|s|^2 + |t|^2) / 2, of which |s|^2 - |t|^2 is 4 mean.
+    let squares = ambient_sum * base_sum + 4.0 * entering;
+    let difference = squares * lost + 2.0 * mean * kept;
+    let sum = squares * kept + 2.0 * mean * lost;
+    let scale = window_squared / (difference * transmittance).max(1e-18);
+    let interference = (1.0 - ambient_squared) * (4.0 * damping * scale);
+    ComplexKernel {
+        transmittance,
+        offset: sum * scale,
+        cosine: interference * (0.5 - 0.5 * waves.base_squared),
+        sine: interference * waves.base_decay,
+    }
+}
+
+/// One polarisation under the window, at one optical path difference.
+#[shade]
+pub struct NodeTerms<R: Real> {
+    /// The denominator at phase 0 on a real base, its mean on a complex one.
+    pub offset: R,
+    /// What it loses with `sin^2(phase / 2)` on a real base, with `cos(phase)` on a complex one.
+    pub even: R,
+    /// What it loses with `sin(phase)`; 0 on a real base.
+    pub odd: R,
+}
+
+/// Both polarisations under the window, at one optical path difference:
+/// `R_j = rest - scale sum_k 2 w_jk node_k`.
 #[shade]
 pub struct WindowedFilm<R: Real> {
     /// What does not depend on the phase: `1 - sum_pol Q (1 - kappa) / 2`.
     pub rest: R,
+    /// The factor of all nodes; 1 on a complex base.
+    pub scale: R,
     /// s polarisation.
-    pub s: WindowTerms<R>,
+    pub s: NodeTerms<R>,
     /// p polarisation.
-    pub p: WindowTerms<R>,
+    pub p: NodeTerms<R>,
 }
 
 impl<R: Real> WindowedFilm<R> {
-    /// A film under a window of a width, in nm, at an optical path difference.
-    pub fn new<S: Scalar>(width_nm: f64, series: [SeriesTerms<R>; 2], opd_nm: S) -> Self
+    /// A film under a window of a width, in nm, at the optical path of one pass: half the optical path difference.
+    pub fn new<S: Scalar>(width_nm: f64, base: BaseKind, film: RelativeFilm<R>, path_nm: S) -> Self
     where
         R: Lanes<S> + Value<Leaf = S::Leaf>,
     {
-        Self::under(closing(width_nm, opd_nm), series)
+        Self::under(closing(width_nm, path_nm), base, film)
     }
 
     /// A film under a window that has closed to g; with it its square, held at 0.1 or above.
-    pub(crate) fn under<S: Scalar>([g, g_squared]: [S; 2], [s, p]: [SeriesTerms<R>; 2]) -> Self
+    pub(crate) fn under<S: Scalar>([g, g_squared]: [S; 2], base: BaseKind, film: RelativeFilm<R>) -> Self
     where
         R: Lanes<S> + Value<Leaf = S::Leaf>,
     {
-        let window_s = window_terms::<S, R>(s, g, g_squared).named("window_s");
-        let window_p = window_terms::<S, R>(p, g, g_squared).named("window_p");
-        // Q (1 - kappa) / 2 over both polarisations.
-        let transmittance = s.transmittance + p.transmittance;
-        let rest = (S::lit(0.5) - S::lit(0.5) / g_squared).named("rest");
-        Self { rest: R::lit(1.0) - transmittance * R::from_scalar(rest), s: window_s, p: window_p }
+        let lanes = R::from_scalar;
+        let damping = (g * g_squared).named("damping");
+        if base.is_real() {
+            let s = real_kernel(film.s, lanes(damping)).named("kernel_s");
+            let p = real_kernel(film.p, lanes(damping)).named("kernel_p");
+            let mean_s = (s.mean * film.p_over_s).named("mean_s");
+            let one = R::lit(1.0);
+            let entering = film.p.ambient * film.p.base;
+            let scale = (entering * R::from_scalar(S::lit(1.0) / g_squared)).named("scale");
+            let transmittance = one / mean_s + one / p.mean;
+            let rest = (one + transmittance * (R::lit(2.0) * scale - R::lit(2.0) * entering)).named("rest");
+            let terms = |mean: R, flatness: R, name: &str| {
+                let offset = (mean * flatness).named(&format!("offset_{name}"));
+                NodeTerms { offset, even: (offset - mean / flatness).named(&format!("even_{name}")), odd: R::lit(0.0) }
+            };
+            Self { rest, scale, s: terms(mean_s, s.flatness, "s"), p: terms(p.mean, p.flatness, "p") }
+        } else {
+            let s = complex_kernel(film.s, lanes(damping), lanes(g_squared)).named("kernel_s");
+            let p = complex_kernel(film.p, lanes(damping), lanes(g_squared)).named("kernel_p");
+            let rest = (S::lit(2.0) / g_squared - S::lit(2.0)).named("rest");
+            let rest = R::lit(1.0) + (s.transmittance + p.transmittance) * R::from_scalar(rest);
+            let terms =
+                |kernel: ComplexKernel<R>| NodeTerms { offset: kernel.offset, even: kernel.cosine, odd: kernel.sine };
+            Self { rest, scale: R::lit(1.0), s: terms(s), p: terms(p) }
+        }
     }
 
-    /// What a node of weight 1 contributes, by the cosine and sine of its phase.
-    pub fn node(&self, cosine: R, sine: R) -> R {
-        let contribution = |terms: WindowTerms<R>| {
-            let denominator = terms.offset - terms.re * cosine + terms.im * sine;
-            terms.strength / denominator.max(R::lit(1e-12))
-        };
-        contribution(self.s) + contribution(self.p)
+    /// Half of what a node of weight 1 contributes, before the scale, by what its phase gives.
+    pub fn node(&self, phase: Phase<R>) -> R {
+        node([self.s, self.p].map(|terms| terms.denominator(phase)))
     }
 }
 
-/// How far a window of a width, in nm, closes at an optical path difference: g, and its square, held at 0.1 or above.
-pub(crate) fn closing<S: Scalar>(width_nm: f64, opd_nm: S) -> [S; 2] {
-    let spread = (opd_nm * S::lit(1.0 / width_nm)).named("spread");
-    let g = (-(spread * spread)).exp().named("window");
+impl<R: Real> NodeTerms<R> {
+    fn denominator(&self, phase: Phase<R>) -> R {
+        match phase {
+            Phase::HalfSineSquared(square) => self.offset - self.even * square,
+            Phase::Wave([cosine, sine]) => self.offset - self.even * cosine - self.odd * sine,
+        }
+    }
+}
+
+/// A node by the denominators of both polarisations.
+fn node<R: Real>([s, p]: [R; 2]) -> R {
+    (R::lit(1.0) / s + R::lit(1.0) / p).named("node")
+}
+
+/// What a node needs of its phase.
+#[derive(Clone, Copy, Debug)]
+pub enum Phase<R> {
+    /// `sin^2(phase / 2)`: on a real base.
+    HalfSineSquared(R),
+    /// Cosine and sine: on a complex base.
+    Wave([R; 2]),
+}
+
+impl<R> Phase<R> {
+    pub(crate) fn map<T>(self, change: impl Fn(R) -> T) -> Phase<T> {
+        match self {
+            Phase::HalfSineSquared(square) => Phase::HalfSineSquared(change(square)),
+            Phase::Wave(wave) => Phase::Wave(wave.map(change)),
+        }
+    }
+}
+
+/// How far a window of a width, in nm, closes at the optical path of one pass: g, and its square, held at 0.1 or above.
+pub(crate) fn closing<S: Scalar>(width_nm: f64, path_nm: S) -> [S; 2] {
+    let g = (S::lit(-4.0 / (width_nm * width_nm)) * (path_nm * path_nm)).exp().named("window");
     [g, (g * g).max(S::lit(0.1)).named("window_squared")]
 }
 
-/// Reflectance of the film by equally spaced wave numbers under a window, all orders.
+/// The colour of a film by the nodes of a window: `rest`, less what they contribute.
+pub(crate) fn color_of_nodes<S: Scalar, R: Lanes<S> + Value<Leaf = S::Leaf>>(
+    film: WindowedFilm<R>,
+    base: BaseKind,
+    nodes: impl IntoIterator<Item = R>,
+    weights: &[[f64; 3]],
+    rest: S::Vec3,
+) -> S::Vec3 {
+    let weighted = nodes
+        .into_iter()
+        .zip(weights)
+        .map(|(node, weight)| S::Vec3::lit3(weight.map(|weight| 2.0 * weight)) * node.into_vec3());
+    if base.is_real() {
+        let sum = weighted.reduce(|sum, node| (sum + node).named("interference")).unwrap_or(S::Vec3::lit(0.0));
+        (rest - film.scale.into_vec3() * sum).named("color")
+    } else {
+        weighted.fold(rest, |color, node| (color - node).named("color"))
+    }
+}
+
+/// Reflectance of the film by equally spaced wave numbers under a window, all orders, at the optical path of one pass.
 pub fn windowed_reflectance<S: Scalar, R: Lanes<S> + Value<Leaf = S::Leaf>>(
     window: &Window,
-    terms: FilmTerms<R>,
-    media: Media<S>,
-    q2: S,
-    base: BaseWave<R>,
-    opd_nm: S,
+    base: BaseKind,
+    film: RelativeFilm<R>,
+    path_nm: S,
 ) -> S::Vec3 {
-    let film = WindowedFilm::new(window.width_nm, both_series_terms(terms, media, q2, base), opd_nm);
-    let mut color = film.rest.into_vec3();
-    for (phase, weight) in phases(window, opd_nm).into_iter().zip(&window.weights) {
-        let [cosine, sine] = phase.map(R::from_scalar);
-        let node = film.node(cosine, sine).named("node");
-        color = (color - S::Vec3::lit3(*weight) * node.into_vec3()).named("color");
+    let film = WindowedFilm::new(window.width_nm, base, film, path_nm);
+    let nodes: Vec<R> = if base.is_real() {
+        phases(window, base, path_nm).into_iter().map(|phase| film.node(phase.map(R::from_scalar))).collect()
+    } else {
+        let s = denominators(window, film.s, path_nm, "denominator_s");
+        s.into_iter().zip(denominators(window, film.p, path_nm, "denominator_p")).map(|(s, p)| node([s, p])).collect()
+    };
+    color_of_nodes(film, base, nodes, &window.weights, film.rest.into_vec3())
+}
+
+/// The denominator at each node on a complex base. Like its cosines it follows from two by a recurrence:
+/// `d_(k+1) = 2 cos(step) d_k - d_(k-1) + (2 - 2 cos(step)) offset`.
+fn denominators<S: Scalar, R: Lanes<S> + Value<Leaf = S::Leaf>>(
+    window: &Window,
+    terms: NodeTerms<R>,
+    path_nm: S,
+    name: &str,
+) -> Vec<R> {
+    let count = window.weights.len();
+    let first = Window { weights: window.weights[..count.min(2)].to_vec(), ..window.clone() };
+    let waves = waves(&first, path_nm).into_iter().map(|wave| Phase::Wave(wave.map(R::from_scalar)));
+    let mut denominators: Vec<R> = waves.map(|wave| terms.denominator(wave).named(name)).collect();
+    let doubled = doubled_cosine(window.step, path_nm);
+    let [doubled, rest] = [doubled, (S::lit(2.0) - doubled).named("doubled_rest")].map(R::from_scalar);
+    let rest = rest * terms.offset;
+    while denominators.len() < count {
+        let [before, last] = [denominators[denominators.len() - 2], denominators[denominators.len() - 1]];
+        denominators.push((doubled * last - before + rest).named(name));
     }
-    color
+    denominators
+}
+
+/// What each node needs of its phase, at the optical path of one pass.
+pub(crate) fn phases<S: Scalar>(window: &Window, base: BaseKind, path_nm: S) -> Vec<Phase<S>> {
+    if base.is_real() {
+        half_sines(window, path_nm).into_iter().map(Phase::HalfSineSquared).collect()
+    } else {
+        waves(window, path_nm).into_iter().map(Phase::Wave).collect()
+    }
+}
+
+/// `sin^2` of half the phase at each node, by `s_(k+1) = 2 cos(step / 2) s_k - s_(k-1)` for the sine.
+fn half_sines<S: Scalar>(window: &Window, path_nm: S) -> Vec<S> {
+    let half_phase = |angular_wave_number: f64| (S::lit(angular_wave_number) * path_nm).named("half_phase");
+    let mut sines: Vec<S> = [window.first, window.first + window.step]
+        .map(|angular_wave_number| half_phase(angular_wave_number).sin().named("half_sine"))
+        .to_vec();
+    let doubled = doubled_cosine(0.5 * window.step, path_nm);
+    while sines.len() < window.weights.len() {
+        sines.push((doubled * sines[sines.len() - 1] - sines[sines.len() - 2]).named("half_sine"));
+    }
+    sines.truncate(window.weights.len());
+    sines.into_iter().map(|sine| (sine * sine).named("half_sine_squared")).collect()
 }
 
 /// Cosine and sine of the phase at each node, by the recurrence `c_(k+1) = 2 cos(step) c_k - c_(k-1)`.
-pub(crate) fn phases<S: Scalar>(window: &Window, opd_nm: S) -> Vec<[S; 2]> {
-    let phase_of = |angular_wave_number: f64, name: &str| (S::lit(angular_wave_number) * opd_nm).named(name);
-    let (first, second) = (phase_of(window.first, "phase"), phase_of(window.first + window.step, "phase"));
-    let doubled = (S::lit(2.0) * phase_of(window.step, "phase_step").cos()).named("doubled_cosine");
-    let mut phases = vec![
-        [first.cos().named("cosine"), first.sin().named("sine")],
-        [second.cos().named("cosine"), second.sin().named("sine")],
-    ];
-    while phases.len() < window.weights.len() {
-        let [before, last] = [phases[phases.len() - 2], phases[phases.len() - 1]];
+pub(crate) fn waves<S: Scalar>(window: &Window, path_nm: S) -> Vec<[S; 2]> {
+    let mut waves: Vec<[S; 2]> = [window.first, window.first + window.step]
+        .map(|angular_wave_number| (S::lit(2.0 * angular_wave_number) * path_nm).named("phase"))
+        .map(|phase| [phase.cos().named("cosine"), phase.sin().named("sine")])
+        .to_vec();
+    let doubled = doubled_cosine(window.step, path_nm);
+    while waves.len() < window.weights.len() {
+        let [before, last] = [waves[waves.len() - 2], waves[waves.len() - 1]];
         let next = |part: usize, name: &str| (doubled * last[part] - before[part]).named(name);
-        phases.push([next(0, "cosine"), next(1, "sine")]);
+        waves.push([next(0, "cosine"), next(1, "sine")]);
     }
-    phases.truncate(window.weights.len());
-    phases
+    waves.truncate(window.weights.len());
+    waves
+}
+
+/// Twice the cosine of the phase that a wave number has after a round trip.
+fn doubled_cosine<S: Scalar>(angular_wave_number: f64, path_nm: S) -> S {
+    let step = (S::lit(2.0 * angular_wave_number) * path_nm).named("phase_step");
+    (S::lit(2.0) * step.cos()).named("doubled_cosine")
 }

@@ -61,7 +61,7 @@ fn at_brewsters_angle_p_polarisation_is_not_reflected() {
         let cos_theta1 = angle.cos();
         let q1 = ambient * cos_theta1 / (ambient * ambient);
         let q3 = normal_component_squared(cos_theta1, ambient, base).sqrt() / (base * base);
-        let p = boundary_reflectance(q1, NormalComponent { re: q3, im: 0.0 });
+        let p = boundary_reflectance(q1, NormalComponent { re: q3, im: 0.0, modulus: q3 * q3 });
         assert!(p <= 1e-30, "{ambient} to {base}: {p:e}");
         // Refracted and reflected ray stand at a right angle: r_s = cos^2 - sin^2 of the angle of incidence.
         let s = (2.0 * angle).cos().powi(2);

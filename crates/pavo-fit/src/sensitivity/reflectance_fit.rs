@@ -42,7 +42,7 @@ pub(super) fn training_samples(sensitivities: &Sensitivities, max_opd_um: f64, s
     FilmSamples::new(sensitivities, &film_classes(), |class| {
         let mut place = |index: usize| {
             let cos_theta1 = random.between(LEAST_COSINE, 1.0);
-            let opd_um_per_nm = class.media.opd_per_nm(cos_theta1) * 1e-3;
+            let opd_um_per_nm = 2e-3 * class.media.path_per_nm(cos_theta1);
             let reach_nm = if index.is_multiple_of(BEYOND) { THICKEST_NM } else { max_opd_um / opd_um_per_nm };
             Point { cos_theta1, thickness_nm: random.uniform() * THICKEST_NM.min(reach_nm) }
         };
