@@ -59,7 +59,7 @@ pub fn series_terms<R: Real>(
     let mean = waves.base * ambient_sum + waves.ambient * base_sum;
     let ambient_difference = (1.0 - ambient_squared) / (ambient_sum * base_sum + 4.0 * entering + 2.0 * mean);
     SeriesTerms {
-        transmittance: 4.0 * entering / mean.max(1e-30),
+        transmittance: 4.0 * entering / mean,
         round_trip: ambient_difference * (1.0 - waves.base_squared),
         round_trip_im: -(2.0 * waves.base_decay * ambient_difference),
     }

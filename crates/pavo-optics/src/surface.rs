@@ -49,13 +49,17 @@ pub enum Specular {
     Bare(BaseKind),
     /// No film: a conductor whose index depends on the wavelength.
     BareSpectral(Vec<SpectralNode>),
-    /// No film: Schlick's approximation from the specular colour.
-    BareMetalness,
+    /// No film: from the specular colour.
+    BareMetalness {
+        /// Whether by the Fresnel equations of the dielectric that has this colour at normal incidence, instead of
+        /// Schlick's approximation.
+        exact: bool,
+    },
 }
 
 impl Specular {
     fn is_metalness(&self) -> bool {
-        matches!(self, Specular::FilmOnMetalness(_) | Specular::BareMetalness)
+        matches!(self, Specular::FilmOnMetalness(_) | Specular::BareMetalness { .. })
     }
 }
 
@@ -173,9 +177,13 @@ pub fn surface_reflectance<S: Scalar>(
             let (base_ior, base_kappa) = node.base.unwrap_or((1.0_f64, 0.0_f64));
             grey::<S>(bare_node_reflectance(cos_theta1, ambient_ior, S::lit(base_ior), S::lit(base_kappa)))
         }),
-        Specular::BareMetalness => {
+        Specular::BareMetalness { exact } => {
             let specular_color = metalness_colors::<S>(base_color, metalness).specular;
-            fresnel_schlick::<S>(cos_theta1, specular_color)
+            if !exact {
+                return fresnel_schlick::<S>(cos_theta1, specular_color);
+            }
+            let (cosine, ambient_ior) = (S::Vec3::splat(cos_theta1), S::Vec3::splat(ambient_ior));
+            fresnel_dielectric(cosine, ambient_ior, ior_from_reflectance(specular_color, ambient_ior))
         }
     }
 }

@@ -46,10 +46,8 @@ pub fn real_kernel<R: Real>(
     /// What is left of a round trip: `g h`, (0, 1].
     damping: R,
 ) -> RealKernel<R> {
-    // At 0 nothing enters, and the kernel has no width.
-    let ambient = waves.ambient.max(1e-6);
-    let straight = 1.0 + ambient * waves.base;
-    let crossed = ambient + waves.base;
+    let straight = 1.0 + waves.ambient * waves.base;
+    let crossed = waves.ambient + waves.base;
     let entering = straight + crossed;
     let reflected = damping * (straight - crossed);
     RealKernel { mean: straight * crossed, flatness: (entering - reflected) / (entering + reflected) }
@@ -91,7 +89,7 @@ pub fn complex_kernel<R: Real>(
     let base_sum = 1.0 + waves.base_squared;
     let entering = ambient * waves.base;
     let mean = waves.base * ambient_sum + ambient * base_sum;
-    let transmittance = waves.ambient * waves.base / mean.max(1e-30);
+    let transmittance = waves.ambient * waves.base / mean;
     // With B = damping t / s: (|s|^2 + |t|^2) / 2, of which |s|^2 - |t|^2 is 4 mean.
     let squares = ambient_sum * base_sum + 4.0 * entering;
     let difference = squares * lost + 2.0 * mean * kept;

@@ -123,7 +123,7 @@ fn surfaces() -> Vec<Surface> {
         }
     }
     speculars.extend([dielectric, BaseKind::Conductor].map(Specular::Bare));
-    speculars.extend([Specular::BareSpectral(nodes(dispersive)), Specular::BareMetalness]);
+    speculars.extend([Specular::BareSpectral(nodes(dispersive)), Specular::BareMetalness { exact: false }]);
     let coefficients = vec![[0.4, 0.3, 0.5], [-0.2, 0.1, 0.0], [0.1, 0.1, -0.2]];
     for denominator in [vec![], vec![[0.3, -0.2, 0.1], [0.1, 0.4, -0.3]]] {
         speculars.push(Specular::Baked(BakedFilm { coefficients: coefficients.clone(), denominator }));
@@ -204,7 +204,7 @@ fn a_surface_takes_no_input_that_it_does_not_use() {
     let dielectric = BaseKind::Dielectric { total_reflection: false };
     let on = |base| Specular::Film(film(base, false, Method::Series { order: 3, fit: wide_fit() }));
     let cases: [(Specular, &[&str]); 5] = [
-        (Specular::BareMetalness, &["roughness", "metalness"]),
+        (Specular::BareMetalness { exact: false }, &["roughness", "metalness"]),
         (Specular::Bare(dielectric), &["ambient_ior", "base_ior", "roughness"]),
         (Specular::Bare(BaseKind::Conductor), &["ambient_ior", "base_ior", "base_kappa", "roughness"]),
         (on(dielectric), &["thickness_nm", "ambient_ior", "film_ior", "base_ior", "roughness"]),

@@ -84,7 +84,8 @@ fn speculars() -> Vec<Specular> {
             dispersive(600.0, [0.8, 0.3, 0.0], (0.2, 3.6)),
             dispersive(470.0, [0.2, 0.7, 1.0], (1.4, 1.9)),
         ]),
-        Specular::BareMetalness,
+        Specular::BareMetalness { exact: false },
+        Specular::BareMetalness { exact: true },
         Specular::Baked(BakedFilm {
             coefficients: vec![[0.4, 0.3, 0.5], [-0.2, 0.1, 0.0], [0.1, 0.1, -0.2]],
             denominator: vec![],
@@ -127,7 +128,13 @@ fn expected_reflectance(specular: &Specular, point: &Point) -> DVec3 {
                 DVec3::from(node.weight) * fresnel_conductor(cos_theta1, ambient_ior, base_ior, base_kappa)
             })
             .sum(),
-        Specular::BareMetalness => fresnel_schlick::<f64>(cos_theta1, colour),
+        Specular::BareMetalness { exact: false } => fresnel_schlick::<f64>(cos_theta1, colour),
+        Specular::BareMetalness { exact: true } => {
+            let of = |reflectance| {
+                fresnel_dielectric(cos_theta1, ambient_ior, ior_from_reflectance(reflectance, ambient_ior))
+            };
+            DVec3::from_array(colour.to_array().map(of))
+        }
         Specular::Fitted(film) => fitted_reflectance::<f64>(film, cos_theta1, thickness_nm),
         Specular::Table(table) => table_reflectance::<f64>(table, cos_theta1, thickness_nm),
         Specular::Baked(baked) => {
@@ -181,7 +188,7 @@ fn expected_brdf(surface: &Surface, point: &Point) -> DVec3 {
     let visibility = 1.0 / ((n_dot_l * (1.0 - k) + k) * (n_dot_v * (1.0 - k) + k));
     let mirrored = expected_reflectance(&surface.specular, point);
     let specular = mirrored * (distribution * visibility / 4.0);
-    let by_metalness = matches!(surface.specular, Specular::FilmOnMetalness(_) | Specular::BareMetalness);
+    let by_metalness = matches!(surface.specular, Specular::FilmOnMetalness(_) | Specular::BareMetalness { .. });
     let diffuse = if by_metalness { base_color * (1.0 - metalness) } else { base_color };
     if surface.diffuse { diffuse / PI * (1.0 - mirrored) + specular } else { specular }
 }

@@ -187,7 +187,7 @@ impl Class {
     pub fn shading(self, variant: &str) -> Result<Shading, Failure> {
         let base = match self {
             Class::Dielectric => "ior = [1, 3]",
-            Class::Conductor => "ior = [0.05, 4.5]\nkappa = [0, 4]",
+            Class::Conductor => "ior = [0.05, 4.5]\nkappa = [0.01, 4]",
         };
         let film = format!("ior = [1.2, 2.6001]\nthickness_nm = [0, {MAX_THICKNESS_NM}]");
         shading(self.name(), &film, base, variant)

@@ -60,6 +60,10 @@ impl MethodRequest<'_> {
                 let node = |term: &FitTerm| self.node(NM_PER_UM / term.wave_number[0], term.weight_re);
                 Ok(Method::Spectral { nodes: fit.terms.iter().map(node).collect() })
             }
+            Variant::Fresnel { .. } => Err((
+                "it is for a surface without a film".to_owned(),
+                "take windowed:k=6, or leave out [film]".to_owned(),
+            )),
             // What takes the film's place is made from the exact reflectance; until then any method stands for it.
             Variant::Baked { .. } | Variant::Table { .. } | Variant::Fitted { .. } => {
                 Ok(Method::Spectral { nodes: self.spectral_nodes(81)? })

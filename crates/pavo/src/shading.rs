@@ -6,7 +6,7 @@ use crate::inputs::{GraphReader, InputList, InputReader, PointReader, Rated, Sha
 use crate::media::{self, MediaError};
 use crate::methods::{FIRST_WAVELENGTH_NM, LAST_WAVELENGTH_NM, MethodError, MethodRequest};
 use crate::scene::{self, Base, ColourQuantity, FilmMedium, Quantity, Scene, VisibilityK};
-use crate::variant::Variant;
+use crate::variant::{FresnelForm, Variant};
 use miette::Diagnostic;
 use pavo_optics::surface::{brdf_of_reflectance, shade_surface, surface_brdf, surface_radiance, surface_reflectance};
 use pavo_optics::{
@@ -408,9 +408,19 @@ fn specular(scene: &Scene, request: &MethodRequest<'_>) -> Result<Specular, Meth
         Base::Metalness => BaseKind::Dielectric { total_reflection: false },
     };
     let Some(film) = &scene.film else {
+        let approximates = *request.variant == Variant::Fresnel { form: FresnelForm::Schlick };
+        if approximates && scene.base != Base::Metalness {
+            let cause = "Schlick's approximation is for a base of the metalness workflow".to_owned();
+            return Err((cause, "take fresnel:form=exact".to_owned()));
+        }
         return Ok(match (&scene.base, request.base) {
-            (Base::Metalness, _) => Specular::BareMetalness,
+            (Base::Metalness, _) => {
+                Specular::BareMetalness { exact: *request.variant == Variant::Fresnel { form: FresnelForm::Exact } }
+            }
             (_, None) => Specular::Bare(kind),
+            (_, Some(_)) if matches!(request.variant, Variant::Fresnel { .. }) => {
+                Specular::BareSpectral(request.spectral_nodes(81)?)
+            }
             (_, Some(_)) => match request.method()? {
                 Method::Spectral { nodes } => Specular::BareSpectral(nodes),
                 _ => Specular::BareSpectral(request.spectral_nodes(81)?),

@@ -40,7 +40,7 @@ pub fn run(arguments: &arguments::Variants) -> Result<(), Failure> {
     let mut reference = None;
     let mut rows = Vec::new();
     let mut refused = Vec::new();
-    for variant in Variant::candidates() {
+    for variant in Variant::candidates_for(&scene) {
         progress.step(variant.to_string());
         let shading = match Shading::with_cache(&scene, &variant, &cache) {
             Err(ShadingError::Variant { cause, .. }) => {

@@ -115,12 +115,13 @@ pub fn tune(
     cache: &dyn FitCache,
     progress: &dyn Fn(usize, &str),
 ) -> Result<Tuning, TuningError> {
-    let key = format!("tuning 1 {} {} {:?}", scene_key(scene), kind.name(), candidate_names());
+    let candidates = Variant::candidates_for(scene);
+    let names: Vec<String> = candidates.iter().map(Variant::to_string).collect();
+    let key = format!("tuning 2 {} {} {names:?}", scene_key(scene), kind.name());
     if let Some(kept) = cache.load(&key).and_then(|text| serde_json::from_str(&text).ok()) {
         return Ok(kept);
     }
     let judge = Judge::new(scene)?;
-    let candidates = Variant::candidates();
     let mut made: Vec<(Shading, VariantErrors)> = Vec::new();
     let mut refused = Vec::new();
     for variant in &candidates {
@@ -220,10 +221,6 @@ fn mark_frontier(rows: &mut [Row]) {
         row.on_frontier = row.errors.max_delta_e < least;
         least = least.min(row.errors.max_delta_e);
     }
-}
-
-fn candidate_names() -> Vec<String> {
-    Variant::candidates().iter().map(Variant::to_string).collect()
 }
 
 /// A scene as text, the contents of the files that it names included.

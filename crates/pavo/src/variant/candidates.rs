@@ -1,11 +1,27 @@
 //! Variants to choose from where nothing says which.
 
-use super::{Fit, FittedForm, Variant};
+use super::{Fit, FittedForm, FresnelForm, Variant};
+use crate::scene::{Base, Scene};
 
 /// The error that a fit to a scene keeps to where nothing says another.
 pub(super) const FITTED_RMS_ERROR: f64 = 6e-3;
 
 impl Variant {
+    /// Variants to choose from for a scene: [`Variant::candidates`], or where there is no film, what a bare surface has.
+    pub fn candidates_for(scene: &Scene) -> Vec<Variant> {
+        if scene.film.is_some() {
+            return Self::candidates();
+        }
+        let exact = Variant::Fresnel { form: FresnelForm::Exact };
+        match scene.base {
+            Base::Metalness => vec![Variant::Fresnel { form: FresnelForm::Schlick }, exact],
+            Base::Dielectric { .. } | Base::Conductor { .. } => vec![exact],
+            Base::Metal { .. } | Base::Table { .. } => {
+                [8, 16, 32, 81].map(|count| Variant::Spectral { count }).to_vec()
+            }
+        }
+    }
+
     /// Variants to choose from where nothing says which. Not every one can be made for every scene.
     pub fn candidates() -> Vec<Variant> {
         let belcour_barla = [1, 2, 3, 4, 6, 8].map(|order| Variant::Series { order, fit: Fit::XyzGauss });

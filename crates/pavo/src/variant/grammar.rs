@@ -1,7 +1,7 @@
 //! Variants as text: `family:option=value,option=value`.
 
 use super::candidates::FITTED_RMS_ERROR;
-use super::{Fit, FittedForm, Variant};
+use super::{Fit, FittedForm, FresnelForm, Variant};
 use std::str::FromStr;
 use thiserror::Error;
 
@@ -43,7 +43,7 @@ const fn worded(name: &'static str, default: &'static str) -> OptionRow {
     OptionRow { name, range: None, default }
 }
 
-const FAMILIES: [Family; 8] = [
+const FAMILIES: [Family; 9] = [
     Family { name: "series", options: &[counted("m", 1, 32, "3"), worded("fit", "xyz-gauss")] },
     Family { name: "poles", options: &[counted("k", 3, 8, "6")] },
     Family { name: "windowed", options: &[counted("k", 4, 10, "6"), counted("groups", 1, 10, "")] },
@@ -51,6 +51,7 @@ const FAMILIES: [Family; 8] = [
     Family { name: "nodes", options: &[counted("n", 4, 16, "8")] },
     Family { name: "baked", options: &[counted("degree", 2, 16, "8"), counted("denominator", 0, 8, "0")] },
     Family { name: "fitted", options: &[worded("form", ""), counted("k", 1, 12, ""), worded("rms", "")] },
+    Family { name: "fresnel", options: &[worded("form", "exact")] },
     Family { name: "spectral", options: &[counted("n", 2, 512, "81")] },
 ];
 
@@ -94,6 +95,7 @@ impl FromStr for Variant {
             "nodes" => Variant::Nodes { count: counted("n")? },
             "baked" => Variant::Baked { degree: counted("degree")?, denominator: counted("denominator")? },
             "fitted" => fitted(text, value("form"), optional("k")?, value("rms"))?,
+            "fresnel" => fresnel(text, value("form"))?,
             _ => Variant::Spectral { count: counted("n")? },
         })
     }
@@ -187,6 +189,17 @@ fn fitted(text: &str, form: &str, count: Option<usize>, rms: &str) -> Result<Var
     };
     let count = count.unwrap_or(form.map_or(6, FittedForm::default_count));
     Ok(Variant::Fitted { form, count, rms_error })
+}
+
+fn fresnel(text: &str, form: &str) -> Result<Variant, VariantError> {
+    match form {
+        "schlick" => Ok(Variant::Fresnel { form: FresnelForm::Schlick }),
+        "exact" => Ok(Variant::Fresnel { form: FresnelForm::Exact }),
+        _ => Err(VariantError {
+            message: format!("unknown form `{}` in the variant `{}`", shown(form), shown(text)),
+            help: "the forms are exact and schlick".to_owned(),
+        }),
+    }
 }
 
 fn table(text: &str, size: &str) -> Result<Variant, VariantError> {

@@ -100,6 +100,15 @@ impl FittedForm {
     }
 }
 
+/// The reflectance of a surface without a film.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum FresnelForm {
+    /// `schlick`: Schlick's approximation from the specular colour, as engines have it.
+    Schlick,
+    /// `exact`: the Fresnel equations.
+    Exact,
+}
+
 /// A method with its options, written `family:option=value,option=value`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Variant {
@@ -158,6 +167,11 @@ pub enum Variant {
         /// The root of the mean square error that it must keep to.
         rms_error: f64,
     },
+    /// `fresnel:form=F`: a surface without a film.
+    Fresnel {
+        /// The form.
+        form: FresnelForm,
+    },
     /// `spectral:n=N`: the exact reflectance at N wavelengths from 380 to 780 nm, equally spaced.
     Spectral {
         /// How many wavelengths.
@@ -181,6 +195,8 @@ impl fmt::Display for Variant {
             Variant::Fitted { form: Some(form), count, rms_error } => {
                 write!(f, "fitted:form={},k={count},rms={rms_error}", form.name())
             }
+            Variant::Fresnel { form: FresnelForm::Schlick } => write!(f, "fresnel:form=schlick"),
+            Variant::Fresnel { form: FresnelForm::Exact } => write!(f, "fresnel:form=exact"),
             Variant::Spectral { count } => write!(f, "spectral:n={count}"),
         }
     }

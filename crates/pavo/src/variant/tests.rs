@@ -1,6 +1,6 @@
 //! What the grammar of variants reads and refuses.
 
-use super::{Fit, FittedForm, Variant};
+use super::{Fit, FittedForm, FresnelForm, Variant};
 
 #[test]
 fn variants_are_read_and_written_back() {
@@ -28,6 +28,8 @@ fn variants_are_read_and_written_back() {
             Variant::Fitted { form: Some(FittedForm::ThreeOrders), count: 4, rms_error: 6e-3 },
         ),
         ("series", Variant::Series { order: 3, fit: Fit::XyzGauss }),
+        ("fresnel", Variant::Fresnel { form: FresnelForm::Exact }),
+        ("fresnel:form=schlick", Variant::Fresnel { form: FresnelForm::Schlick }),
         ("spectral:n=16", Variant::Spectral { count: 16 }),
         ("spectral", Variant::Spectral { count: 81 }),
     ];
@@ -56,6 +58,7 @@ fn what_is_no_variant_is_refused_with_help() {
         ("table:64", "`64` in the variant `table:64` is no size", "table:64x64"),
         ("table:1x8", "`1x8`", "table:64x64"),
         ("table:1024x1024", "`1024x1024`", "at most 4096 entries"),
+        ("fresnel:form=cook", "unknown form `cook`", "exact and schlick"),
         ("fitted:form=kernels", "unknown form `kernels`", "angle-only, first-order"),
         ("fitted:rms=0", "`rms=0`", "a number above 0"),
         ("fitted:rms=nan", "`rms=nan`", "a number above 0"),
