@@ -4,7 +4,8 @@ use crate::dialect::{Dialect, Syntax};
 use crate::expression::{Expressions, literal, vector};
 use crate::namer::Namer;
 use crate::passing::PassedStruct;
-use crate::text::{Struct, WIDTH};
+use crate::rust;
+use crate::text::{PrintedTable, Struct, WIDTH};
 use pavo_shade::{BinaryOp, Definition, Op, Output, ReturnValue, UnaryOp, operands};
 
 /// What stands for a node where it is used.
@@ -26,8 +27,8 @@ pub struct Context<'a> {
     pub dialect: &'a Dialect,
     /// The names of all functions of the program.
     pub functions: &'a [String],
-    /// The names of the program's tables.
-    pub tables: &'a [String],
+    /// The program's tables.
+    pub tables: &'a [PrintedTable],
     /// The structs they return, where they return several values.
     pub structs: &'a [Option<Struct>],
     /// The fields of these structs, empty where a function returns one value.
@@ -113,7 +114,7 @@ pub fn body(context: &Context<'_>, definition: &Definition, number: usize) -> Bo
 
 fn result_text(expressions: &Expressions<'_>, result: &Output) -> String {
     match result.value {
-        ReturnValue::Literal(value) => literal(value).0,
+        ReturnValue::Literal(value) => literal(expressions.dialect, value).0,
         ReturnValue::Literal3(value) => vector(expressions.dialect, value),
         ReturnValue::Node(index) => expressions.whole(index),
     }
@@ -137,10 +138,13 @@ fn accumulation(expressions: &Expressions<'_>, index: u32, previous: u32, name: 
 }
 
 /// How often each node is used.
-fn uses(definition: &Definition) -> Vec<usize> {
+fn uses(dialect: &Dialect, definition: &Definition) -> Vec<usize> {
     let mut uses = vec![0; definition.nodes.len()];
     let mut count = |index: u32| uses[index as usize] += 1;
     for node in &definition.nodes {
+        if let Some(operand) = dialect.written_twice(definition, node) {
+            count(operand);
+        }
         match node.op {
             Op::Call(_, arguments) => definition.calls[arguments as usize].iter().copied().for_each(&mut count),
             op => operands(op).for_each(&mut count),
@@ -185,7 +189,7 @@ fn head_parameters(
 }
 
 fn locals(context: &Context<'_>, definition: &Definition, parameters: &[String], mut namer: Namer) -> Vec<Local> {
-    let uses = uses(definition);
+    let uses = uses(context.dialect, definition);
     let mut locals: Vec<Local> = Vec::new();
     for (index, node) in definition.nodes.iter().enumerate() {
         let returns_struct = |call: u32| match definition.nodes[call as usize].op {
@@ -306,11 +310,12 @@ pub fn head(dialect: &Dialect, name: &str, parameters: &[HeadParameter], result:
     let (before, after) = match dialect.syntax {
         Syntax::Wgsl => (format!("fn {name}("), format!(") -> {result} {{")),
         Syntax::C => (format!("{result} {name}("), ") {".to_owned()),
+        Syntax::Rust => (rust::attributes(parameters.len()) + &format!("pub fn {name}("), format!(") -> {result} {{")),
     };
     let line = format!("{before}{}{after}", typed.join(", "));
-    if line.len() <= WIDTH {
+    if line.lines().all(|line| line.len() <= WIDTH) {
         return line;
     }
-    let comma = if dialect.syntax == Syntax::Wgsl { "," } else { "" };
+    let comma = if dialect.syntax == Syntax::C { "" } else { "," };
     format!("{before}\n    {}{comma}\n{after}", typed.join(",\n    "))
 }

@@ -36,8 +36,8 @@ pub const LEAST_SAVED: usize = 2;
 
 /// The name of the function that prepares, in [`Split::joined`].
 const PREPARE: &str = "prepare_surface";
-/// The name of the struct that it returns, where it returns more than one value.
-const PREPARED: &str = "PreparedSurface";
+/// The name of the struct that the function that prepares returns, where it returns more than one value.
+pub const PREPARED_SURFACE: &str = "PreparedSurface";
 
 /// A value that is computed once a material.
 #[derive(Clone, Debug, PartialEq)]
@@ -235,7 +235,7 @@ fn joined(program: &Program, analysis: &Analysis, cut: &Cut, is_used: &[bool]) -
     let used = || slots.body().iter().zip(&values).zip(is_used).filter(|(_, used)| **used).map(|(slot, _)| slot);
     let leaves = used().map(|(slot, _)| LeafInfo { name: slot.name.clone(), doc: String::new() });
     let returned = used().map(|(_, value)| *value).collect();
-    graph.close(function, returned, leaves.collect(), Some(PREPARED.to_owned()));
+    graph.close(function, returned, leaves.collect(), Some(PREPARED_SURFACE.to_owned()));
     let mut results = graph.results(function, passed).into_iter();
     let prepared: Vec<Expr<'_>> = is_used
         .iter()

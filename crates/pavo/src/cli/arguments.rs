@@ -83,7 +83,7 @@ pub struct Build {
 pub struct Emit {
     /// The scene file.
     pub scene: PathBuf,
-    /// What to emit: wgsl, glsl450, glsl330, essl300, spirv, spirv-asm.
+    /// What to emit: wgsl, glsl450, glsl330, essl300, rust, spirv, spirv-asm.
     #[arg(long, value_parser = target)]
     pub target: Target,
     /// The variant [default: that of the scene].

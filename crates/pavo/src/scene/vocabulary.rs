@@ -16,7 +16,7 @@ pub const METALS: &[&str] = &pavo_spectra::OpticalConstants::ABSORBING_NAMES;
 pub const FILM_MATERIALS: &[&str] = &pavo_spectra::OpticalConstants::DIELECTRIC_NAMES;
 
 /// The languages that can be emitted.
-pub const TARGETS: &[&str] = &["wgsl", "glsl450", "glsl330", "essl300", "spirv", "spirv-asm"];
+pub const TARGETS: &[&str] = &["wgsl", "glsl450", "glsl330", "essl300", "rust", "spirv", "spirv-asm"];
 
 /// The languages that are emitted when a scene does not say.
 pub const DEFAULT_TARGETS: &[&str] = &["wgsl", "glsl450", "essl300", "spirv"];
@@ -109,6 +109,7 @@ pub(super) const ALIASES: &[(&str, &str)] = &[
     ("webgl2", "essl300"),
     ("webgpu", "wgsl"),
     ("vulkan", "spirv"),
+    ("rs", "rust"),
 ];
 
 /// What bounds a number of the scene, in the words of the message.
