@@ -114,7 +114,8 @@ mod tests {
 
     #[test]
     fn no_line_of_a_comment_in_rust_begins_a_list_or_a_quotation() {
-        let long = "the value of what is described here at some length, in a unit that has a name, nm, which is".to_owned();
+        let long =
+            "the value of what is described here at some length, in a unit that has a name, nm, which is".to_owned();
         let rust = Dialect::of(Language::Rust);
         let text = doc_comment(rust, &[Paragraph::of_parameter(rust, "x", &(long + " >= 0 - 1."))]);
         let lines: Vec<&str> = text.lines().collect();

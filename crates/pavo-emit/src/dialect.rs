@@ -173,7 +173,7 @@ impl Dialect {
         match self.syntax {
             Syntax::Wgsl => [format!("const {name} = array<{ty}, {rows}>("), ");".to_owned()],
             Syntax::C => [format!("const {ty} {name}[{rows}] = {ty}[{rows}]("), ");".to_owned()],
-            Syntax::Rust => [format!("const {name}: [{ty}; {rows}] = ["), "];".to_owned()],
+            Syntax::Rust => [format!("static {name}: [{ty}; {rows}] = ["), "];".to_owned()],
         }
     }
 

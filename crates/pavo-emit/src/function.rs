@@ -142,12 +142,9 @@ fn uses(dialect: &Dialect, definition: &Definition) -> Vec<usize> {
     let mut uses = vec![0; definition.nodes.len()];
     let mut count = |index: u32| uses[index as usize] += 1;
     for node in &definition.nodes {
-        if let Some(operand) = dialect.written_twice(definition, node) {
-            count(operand);
-        }
         match node.op {
             Op::Call(_, arguments) => definition.calls[arguments as usize].iter().copied().for_each(&mut count),
-            op => operands(op).for_each(&mut count),
+            _ => dialect.named_operands(definition, node).into_iter().for_each(&mut count),
         }
     }
     for result in &definition.results {
@@ -205,7 +202,7 @@ fn locals(context: &Context<'_>, definition: &Definition, parameters: &[String],
             Op::Literal(_) | Op::Literal3(_) | Op::Component(..) => false,
             Op::Call(..) => returns_struct(index as u32),
             Op::Result(call, _) if returns_struct(call) => false,
-            _ => node.name.is_some() || uses[index] > 1,
+            _ => (node.name.is_some() && uses[index] > 0) || uses[index] > 1,
         };
         if !is_variable {
             locals.push(Local::Written);

@@ -16,6 +16,7 @@ mod namer;
 mod passing;
 mod rust;
 mod text;
+mod uniform;
 
 pub use dialect::Dialect;
 pub use entry::{Sphere, SphereInput, full_screen_triangle};
@@ -119,8 +120,7 @@ pub enum EmitError {
 
 /// The forms of a language as they are asked for.
 fn forms_of(language: Language) -> String {
-    let forms: Vec<String> =
-        Dialect::of(language).forms.iter().map(|form| format!("--form {}", form.name())).collect();
+    let forms: Vec<String> = Dialect::of(language).forms.iter().map(|form| format!("--form {}", form.name())).collect();
     forms.join(" or ")
 }
 

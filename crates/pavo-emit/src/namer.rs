@@ -81,7 +81,9 @@ mod tests {
 
     #[test]
     fn reserved_words_of_all_languages_are_known() {
-        for word in ["fn", "let", "override", "varying", "highp", "mix", "normalize", "active", "vec3f", "smoothstep", "dyn"] {
+        for word in
+            ["fn", "let", "override", "varying", "highp", "mix", "normalize", "active", "vec3f", "smoothstep", "dyn"]
+        {
             assert!(RESERVED.contains(word), "{word}");
         }
     }

@@ -5,14 +5,22 @@ use crate::dialect::{Dialect, Syntax};
 use crate::expression::{Binding, Expressions};
 use crate::function::Local;
 use crate::literal;
-use crate::text::{PrintedTable, Struct};
-use pavo_shade::{BinaryOp, Comparison, Definition, Node, Op, Type, UnaryOp};
+use crate::text::{PrintedTable, Struct, field_doc};
+use crate::uniform::padding;
+use pavo_shade::{BinaryOp, Comparison, Definition, Node, Op, Type, UnaryOp, operands};
 
 /// How many parameters clippy takes without a word.
 const CLIPPY_PARAMETERS: usize = 7;
 
 /// How wide the fields of a struct may be on one line, as rustfmt has it.
 const STRUCT_WIDTH: usize = 18;
+
+/// What the struct of the prepared values is.
+const PREPARED_DOC: &str = "\
+/// What was prepared for the material. It lies in memory as the struct of this name does in a uniform
+/// buffer of WGSL, or of GLSL by std140.
+#[repr(C)]
+";
 
 /// Constants of `std::f32::consts`: clippy refuses their digits.
 const NAMED: [(&str, f32); 17] = {
@@ -63,6 +71,37 @@ pub fn attributes(parameters: usize) -> String {
     many.to_owned()
 }
 
+/// A struct. What was prepared lies in memory as it does in a uniform buffer.
+pub fn structure(dialect: &Dialect, made: &Struct) -> String {
+    let mut text = String::new();
+    if made.is_prepared {
+        text.push_str(PREPARED_DOC);
+    }
+    text.push_str("#[derive(Clone, Copy, Debug)]\n");
+    text.push_str(&format!("pub struct {} {{\n", made.name));
+    let padding = padding_fields(made);
+    for (index, (name, ty, doc)) in made.fields.iter().enumerate() {
+        text.push_str(&padding_declared(&padding, index));
+        text.push_str(&field_doc(dialect, doc));
+        text.push_str(&format!("    pub {name}: {},\n", dialect.type_name(*ty)));
+    }
+    text + &padding_declared(&padding, made.fields.len()) + "}\n"
+}
+
+/// What stands unused before the fields, and after the last one: where, under which name, and how many numbers.
+fn padding_fields(made: &Struct) -> Vec<(usize, String, usize)> {
+    if !made.is_prepared {
+        return Vec::new();
+    }
+    let unused = padding(made).into_iter().enumerate().filter(|(_, numbers)| *numbers > 0);
+    unused.zip(1..).map(|((place, numbers), number)| (place, format!("_padding_{number}"), numbers)).collect()
+}
+
+fn padding_declared(padding: &[(usize, String, usize)], place: usize) -> String {
+    let here = padding.iter().find(|(other, ..)| *other == place);
+    here.map_or_else(String::new, |(_, name, numbers)| format!("    pub {name}: [f32; {numbers}],\n"))
+}
+
 /// The statements of a function with what it returns: the last expression.
 pub fn finished(mut statements: Vec<String>, made: Option<&Struct>, mut results: Vec<String>) -> Vec<String> {
     let Some(made) = made else {
@@ -76,12 +115,15 @@ pub fn finished(mut statements: Vec<String>, made: Option<&Struct>, mut results:
         statements.push(last.unwrap_or(value));
         return statements;
     };
-    let fields: Vec<String> = made
+    let mut fields: Vec<String> = made
         .fields
         .iter()
         .zip(&results)
         .map(|((name, ..), value)| if name == value { name.clone() } else { format!("{name}: {value}") })
         .collect();
+    for (place, name, numbers) in padding_fields(made).into_iter().rev() {
+        fields.insert(place, format!("{name}: [0.0; {numbers}]"));
+    }
     let short = fields.join(", ");
     if short.len() <= STRUCT_WIDTH {
         statements.push(format!("{} {{ {short} }}", made.name));
@@ -94,11 +136,14 @@ pub fn finished(mut statements: Vec<String>, made: Option<&Struct>, mut results:
 }
 
 impl Dialect {
-    /// The operand that the text of a node names twice.
-    pub fn written_twice(&self, definition: &Definition, node: &Node) -> Option<u32> {
+    /// The operands of a node, as often as its text names them.
+    pub fn named_operands(&self, definition: &Definition, node: &Node) -> Vec<u32> {
         match node.op {
-            Op::Mix(_, _, part) if self.syntax == Syntax::Rust && scalar_part(definition, part).is_none() => Some(part),
-            _ => None,
+            Op::Mix(a, b, part) if self.syntax == Syntax::Rust => match scalar_part(definition, part) {
+                Some(number) => vec![a, b, number],
+                None => vec![a, b, part, part],
+            },
+            op => operands(op).collect(),
         }
     }
 }

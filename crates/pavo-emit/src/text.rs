@@ -11,11 +11,6 @@ use crate::passing::structs_passed;
 use crate::rust;
 use pavo_shade::{Definition, PREPARED_SURFACE, Program, Table, Type};
 
-/// What the struct of the prepared values is, where it says so.
-const PREPARED_DOC: &str = "\
-/// What was prepared for the material, to be handed to the shader: its fields are those of the struct of this name there.
-";
-
 /// The width that lines are filled to.
 pub const WIDTH: usize = 100;
 
@@ -185,26 +180,24 @@ fn rows(dialect: &Dialect, table: &Table, name: &str) -> String {
 }
 
 fn structure(dialect: &Dialect, made: &Struct) -> String {
-    let (end, close) = if dialect.syntax == Syntax::C { (";", "};\n") } else { (",", "}\n") };
-    let is_rust = dialect.syntax == Syntax::Rust;
-    let public = if is_rust { "pub " } else { "" };
-    let mut text = String::new();
-    if is_rust {
-        if made.is_prepared {
-            text.push_str(PREPARED_DOC);
-            text.push_str("#[repr(C)]\n");
-        }
-        text.push_str("#[derive(Clone, Copy, Debug)]\n");
+    if dialect.syntax == Syntax::Rust {
+        return rust::structure(dialect, made);
     }
-    text.push_str(&format!("{public}struct {} {{\n", made.name));
+    let (end, close) = if dialect.syntax == Syntax::C { (";", "};\n") } else { (",", "}\n") };
+    let mut text = format!("struct {} {{\n", made.name);
     for (name, ty, doc) in &made.fields {
-        if !doc.is_empty() {
-            let paragraphs = Paragraph::of_doc(dialect, std::slice::from_ref(doc));
-            text.push_str(&indent(&doc_comment(dialect, &paragraphs)));
-        }
-        text.push_str(&format!("    {public}{}{end}\n", dialect.typed(dialect.type_name(*ty), name)));
+        text.push_str(&field_doc(dialect, doc));
+        text.push_str(&format!("    {}{end}\n", dialect.typed(dialect.type_name(*ty), name)));
     }
     text + close
+}
+
+/// The comment on a field, if there is something to say.
+pub fn field_doc(dialect: &Dialect, doc: &String) -> String {
+    if doc.is_empty() {
+        return String::new();
+    }
+    indent(&doc_comment(dialect, &Paragraph::of_doc(dialect, std::slice::from_ref(doc))))
 }
 
 fn function(context: &Context<'_>, definition: &Definition, index: usize) -> String {

@@ -25,3 +25,15 @@ pub fn judge_rust(file: &str, text: &str) -> Result<Vec<Verdict>, CheckError> {
     let (version, passed) = (SYN_VERSION.to_owned(), diagnostics.is_empty());
     all_passed(vec![Verdict { judge: Judge::Syn, version, passed, diagnostics }])
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_version_is_one_in_the_lock_file() {
+        let lock = include_str!("../../../../Cargo.lock");
+        let mut packages = lock.split("[[package]]").filter(|package| package.contains("name = \"syn\"\n"));
+        assert!(packages.any(|package| package.contains(&format!("version = \"{SYN_VERSION}\""))));
+    }
+}

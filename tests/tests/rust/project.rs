@@ -1,0 +1,139 @@
+//! A cargo project around emitted modules: it is compiled with the workspace's glam, and run over points.
+
+use std::fmt::Write as _;
+use std::path::{Path, PathBuf};
+use std::process::Command;
+
+/// A call of an emitted function at points: a Rust expression over the numbers `p` of a point.
+pub struct Evaluation {
+    /// The expression, a number or a `Vec3`.
+    pub expression: String,
+    /// The points, all of one length.
+    pub points: Vec<Vec<f32>>,
+}
+
+/// The workspace, whose lock file and version of glam are taken.
+fn workspace() -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("..")
+}
+
+/// A project with a library of the emitted modules and a program that evaluates them.
+pub struct Project {
+    folder: PathBuf,
+}
+
+const SHARED: &str = "
+trait Color {
+    fn color(self) -> [f32; 3];
+}
+impl Color for f32 {
+    fn color(self) -> [f32; 3] {
+        [self; 3]
+    }
+}
+impl Color for glam::Vec3 {
+    fn color(self) -> [f32; 3] {
+        self.to_array()
+    }
+}
+fn each<const N: usize>(
+    numbers: &mut impl Iterator<Item = f32>,
+    results: &mut Vec<u8>,
+    count: usize,
+    evaluate: impl Fn([f32; N]) -> [f32; 3],
+) {
+    for _ in 0..count {
+        let point = std::array::from_fn(|_| numbers.next().unwrap());
+        results.extend(evaluate(point).iter().flat_map(|number| number.to_le_bytes()));
+    }
+}
+";
+
+impl Project {
+    /// Writes the modules, by name and text.
+    ///
+    /// # Panics
+    /// If they cannot be written.
+    pub fn new(modules: &[(String, String)]) -> Self {
+        let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("generated-rust");
+        let source = folder.join("src");
+        // The build folder stays, so that glam is compiled once; modules of an earlier run go.
+        let _ = std::fs::remove_dir_all(&source);
+        let project = Self { folder };
+        let manifest = std::fs::read_to_string(workspace().join("Cargo.toml")).expect("the workspace has a manifest");
+        let glam = manifest.lines().find(|line| line.starts_with("glam = ")).expect("the workspace uses glam");
+        project.write(
+            "Cargo.toml",
+            &format!(
+                "[package]\nname = \"generated\"\nedition = \"2024\"\n\n[dependencies]\n{glam}\n\n\
+                 [profile.dev]\ndebug = false\n\n[workspace]\n"
+            ),
+        );
+        let lock = std::fs::read_to_string(workspace().join("Cargo.lock")).expect("the workspace has a lock file");
+        project.write("Cargo.lock", &lock);
+        let mut library = "#![deny(warnings)]\n".to_owned();
+        for (name, text) in modules {
+            writeln!(library, "pub mod {name};").expect("text can be written");
+            project.write(&format!("src/{name}.rs"), text);
+        }
+        project.write("src/lib.rs", &library);
+        project
+    }
+
+    fn write(&self, file: &str, text: &str) {
+        let path = self.folder.join(file);
+        std::fs::create_dir_all(path.parent().expect("a file has a folder")).expect("the folder can be made");
+        std::fs::write(path, text).unwrap_or_else(|error| panic!("{file}: {error}"));
+    }
+
+    /// Runs all evaluations; the results by evaluation and point.
+    ///
+    /// # Panics
+    /// If a module is not accepted by the compiler, or warned of.
+    pub fn run(&self, evaluations: &[Evaluation]) -> Vec<Vec<[f32; 3]>> {
+        let mut program = format!("use generated::*;\n{SHARED}\nfn main() {{\n");
+        program.push_str(
+            "    let bytes = std::fs::read(\"points\").unwrap();\n    \
+             let mut numbers = bytes.chunks_exact(4).map(|bytes| f32::from_le_bytes(bytes.try_into().unwrap()));\n    \
+             let mut results = Vec::new();\n",
+        );
+        let mut bytes: Vec<u8> = Vec::new();
+        for Evaluation { expression, points } in evaluations {
+            let (count, width) = (points.len(), points.first().map_or(0, Vec::len));
+            writeln!(
+                program,
+                "    each(&mut numbers, &mut results, {count}, |p: [f32; {width}]| {expression}.color());"
+            )
+            .expect("text can be written");
+            bytes.extend(points.iter().flatten().flat_map(|number| number.to_le_bytes()));
+        }
+        program.push_str("    std::fs::write(\"results\", results).unwrap();\n}\n");
+        self.write("src/main.rs", &program);
+        std::fs::write(self.folder.join("points"), bytes).expect("the points can be written");
+        self.cargo(&["run", "--quiet", "--offline"]);
+        let results = std::fs::read(self.folder.join("results")).expect("the program has written its results");
+        let number = |bytes: &[u8]| f32::from_le_bytes(bytes.try_into().expect("a number has four bytes"));
+        let mut colors = results.chunks_exact(12).map(|color| [&color[..4], &color[4..8], &color[8..]].map(number));
+        evaluations.iter().map(|evaluation| colors.by_ref().take(evaluation.points.len()).collect()).collect()
+    }
+
+    /// Has clippy look at the modules, where it is installed.
+    ///
+    /// # Panics
+    /// If it has something to say.
+    pub fn lint(&self) {
+        let is_installed = Command::new(env!("CARGO")).args(["clippy", "--version"]).output();
+        if is_installed.is_ok_and(|output| output.status.success()) {
+            self.cargo(&["clippy", "--quiet", "--offline", "--lib", "--", "-D", "warnings"]);
+        } else {
+            println!("clippy is not installed: its lints are left out");
+        }
+    }
+
+    fn cargo(&self, arguments: &[&str]) {
+        let mut command = Command::new(env!("CARGO"));
+        command.current_dir(&self.folder).args(arguments).env("CARGO_TARGET_DIR", self.folder.join("target"));
+        let output = command.output().unwrap_or_else(|error| panic!("cargo {arguments:?}: {error}"));
+        assert!(output.status.success(), "cargo {arguments:?}: {}", String::from_utf8_lossy(&output.stderr));
+    }
+}

@@ -1,0 +1,57 @@
+//! The functions of an emitted module, and how they are called with the numbers of a point.
+
+use pavo_shade::Input;
+use syn::{FnArg, Item, ItemFn, Pat, Type};
+
+/// The function that prepares.
+const PREPARE: &str = "prepare_surface";
+
+/// A module as syn reads it.
+pub struct Module {
+    name: String,
+    functions: Vec<ItemFn>,
+}
+
+impl Module {
+    /// Reads a module.
+    ///
+    /// # Panics
+    /// If it is no Rust.
+    pub fn new(name: &str, text: &str) -> Self {
+        let file = syn::parse_file(text).unwrap_or_else(|error| panic!("{name}: {error}"));
+        let function = |item: Item| if let Item::Fn(function) = item { Some(function) } else { None };
+        Self { name: name.to_owned(), functions: file.items.into_iter().filter_map(function).collect() }
+    }
+
+    /// A call of a function, over the numbers `p` of a point: what is no input is prepared.
+    ///
+    /// # Panics
+    /// If there is no such function.
+    pub fn call(&self, name: &str, inputs: &[Input]) -> String {
+        let function = self.functions.iter().find(|function| function.sig.ident == name);
+        let function = function.unwrap_or_else(|| panic!("{} has no function {name}", self.name));
+        let argument = |argument: &FnArg| {
+            let FnArg::Typed(typed) = argument else { panic!("{name} takes self") };
+            let Pat::Ident(pattern) = &*typed.pat else { panic!("{name}: a parameter without a name") };
+            let is_vector = matches!(&*typed.ty, Type::Path(path) if path.path.is_ident("Vec3"));
+            match place(inputs, &pattern.ident.to_string()) {
+                Some(first) if is_vector => {
+                    format!("glam::Vec3::new(p[{first}], p[{}], p[{}])", first + 1, first + 2)
+                }
+                Some(first) => format!("p[{first}]"),
+                // What is prepared for functions other than the one that is called.
+                None if name == PREPARE && is_vector => "glam::Vec3::splat(0.5)".to_owned(),
+                None if name == PREPARE => "0.5".to_owned(),
+                None => self.call(PREPARE, inputs),
+            }
+        };
+        let arguments: Vec<String> = function.sig.inputs.iter().map(argument).collect();
+        format!("{}::{name}({})", self.name, arguments.join(", "))
+    }
+}
+
+/// Where the numbers of an input begin in a point.
+fn place(inputs: &[Input], name: &str) -> Option<usize> {
+    let index = inputs.iter().position(|input| input.name == name)?;
+    Some(inputs[..index].iter().map(Input::components).sum())
+}
