@@ -114,7 +114,7 @@ fn emitted_rust_compiles_without_a_warning_and_computes_the_same() {
     let mut evaluations = Vec::new();
     for (number, case) in cases.iter().enumerate() {
         for (kind, shading) in [("whole", &case.whole), ("prepared", &case.prepared)] {
-            let name = format!("{kind}_{number}");
+            let name = format!("{kind}_{number:02}");
             let text = library(shading, Language::Rust);
             let module = Module::new(&name, &text);
             for (quantity, function) in QUANTITIES {

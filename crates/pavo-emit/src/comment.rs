@@ -119,6 +119,6 @@ mod tests {
         let rust = Dialect::of(Language::Rust);
         let text = doc_comment(rust, &[Paragraph::of_parameter(rust, "x", &(long + " >= 0 - 1."))]);
         let lines: Vec<&str> = text.lines().collect();
-        assert_eq!(lines[1], "///   which is >= 0 - 1.");
+        assert_eq!(lines[1], "///   is >= 0 - 1.");
     }
 }

@@ -220,7 +220,11 @@ fn function(context: &Context<'_>, definition: &Definition, index: usize) -> Str
     text.push('\n');
     for statement in finished(dialect, statements, made, results) {
         let (code, place) = statement.split_at(statement.find(" // ").unwrap_or(statement.len()));
-        text.push_str(&indent(&(broken_line(code, WIDTH - 4) + place)));
+        if dialect.syntax == Syntax::Rust {
+            text.push_str(&rust::statement(code, place));
+        } else {
+            text.push_str(&indent(&(broken_line(code, WIDTH - 4) + place)));
+        }
     }
     text.push_str("}\n");
     text

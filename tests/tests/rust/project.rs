@@ -71,11 +71,13 @@ impl Project {
         );
         let lock = std::fs::read_to_string(workspace().join("Cargo.lock")).expect("the workspace has a lock file");
         project.write("Cargo.lock", &lock);
-        let mut library = "#![deny(warnings)]\n".to_owned();
         for (name, text) in modules {
-            writeln!(library, "pub mod {name};").expect("text can be written");
             project.write(&format!("src/{name}.rs"), text);
         }
+        let mut declarations: Vec<String> = modules.iter().map(|(name, _)| format!("pub mod {name};\n")).collect();
+        // In the order that rustfmt wants.
+        declarations.sort();
+        let library = format!("#![deny(warnings)]\n{}", declarations.concat());
         project.write("src/lib.rs", &library);
         project
     }
@@ -110,30 +112,43 @@ impl Project {
         program.push_str("    std::fs::write(\"results\", results).unwrap();\n}\n");
         self.write("src/main.rs", &program);
         std::fs::write(self.folder.join("points"), bytes).expect("the points can be written");
-        self.cargo(&["run", "--quiet", "--offline"]);
+        self.execute(env!("CARGO"), &["run", "--quiet", "--offline"]);
         let results = std::fs::read(self.folder.join("results")).expect("the program has written its results");
         let number = |bytes: &[u8]| f32::from_le_bytes(bytes.try_into().expect("a number has four bytes"));
         let mut colors = results.chunks_exact(12).map(|color| [&color[..4], &color[4..8], &color[8..]].map(number));
         evaluations.iter().map(|evaluation| colors.by_ref().take(evaluation.points.len()).collect()).collect()
     }
 
-    /// Has clippy look at the modules, where it is installed.
+    /// Has clippy and rustfmt look at the modules, where they are installed.
     ///
     /// # Panics
-    /// If it has something to say.
+    /// If they have something to say.
     pub fn lint(&self) {
-        let is_installed = Command::new(env!("CARGO")).args(["clippy", "--version"]).output();
-        if is_installed.is_ok_and(|output| output.status.success()) {
-            self.cargo(&["clippy", "--quiet", "--offline", "--lib", "--", "-D", "warnings"]);
-        } else {
-            println!("clippy is not installed: its lints are left out");
+        // The workspace's own settings are not what a user has.
+        self.write("rustfmt.toml", "");
+        for (program, arguments) in [
+            (env!("CARGO"), &["clippy", "--quiet", "--offline", "--lib", "--", "-D", "warnings"][..]),
+            ("rustfmt", &["--edition", "2024", "--check", "src/lib.rs"]),
+        ] {
+            let version: Vec<&str> = arguments.iter().copied().take_while(|first| !first.starts_with('-')).collect();
+            let asked = Command::new(program).args(version).arg("--version").output();
+            if asked.is_ok_and(|output| output.status.success()) {
+                self.execute(program, arguments);
+            } else {
+                println!("{program} {arguments:?} is not installed: the text is not judged by it");
+            }
         }
     }
 
-    fn cargo(&self, arguments: &[&str]) {
-        let mut command = Command::new(env!("CARGO"));
+    fn execute(&self, program: &str, arguments: &[&str]) {
+        let mut command = Command::new(program);
         command.current_dir(&self.folder).args(arguments).env("CARGO_TARGET_DIR", self.folder.join("target"));
-        let output = command.output().unwrap_or_else(|error| panic!("cargo {arguments:?}: {error}"));
-        assert!(output.status.success(), "cargo {arguments:?}: {}", String::from_utf8_lossy(&output.stderr));
+        let output = command.output().unwrap_or_else(|error| panic!("{program} {arguments:?}: {error}"));
+        assert!(
+            output.status.success(),
+            "{program} {arguments:?}: {}{}",
+            String::from_utf8_lossy(&output.stdout),
+            String::from_utf8_lossy(&output.stderr)
+        );
     }
 }
