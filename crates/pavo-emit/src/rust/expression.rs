@@ -88,10 +88,15 @@ impl Expressions<'_> {
         matches!(self.definition.nodes[index as usize].op, Op::Literal(_) | Op::Literal3(_))
     }
 
+    fn is_number(&self, index: u32) -> bool {
+        let op = self.definition.nodes[index as usize].op;
+        matches!((&self.locals[index as usize], op), (Local::Written, Op::Literal(_)))
+    }
+
     /// Whether a number is written as literals alone.
     fn has_no_type(&self, index: u32) -> bool {
         match (&self.locals[index as usize], self.definition.nodes[index as usize].op) {
-            (Local::Written, Op::Literal(_)) => true,
+            _ if self.is_number(index) => true,
             (Local::Written, Op::Select(_, a, b)) => self.has_no_type(a) && self.has_no_type(b),
             _ => false,
         }
@@ -103,7 +108,8 @@ impl Expressions<'_> {
             return (format!("Vec3::select({condition}, {a}, {b})"), Binding::Primary);
         }
         // Of two numbers one has to say its type, for methods of what is chosen.
-        let a = if self.has_no_type(b) { self.receiver(a) } else { self.whole(a) };
+        let is_typed = self.is_number(a) && self.has_no_type(b);
+        let a = self.whole(a) + if is_typed { "_f32" } else { "" };
         let (condition, b) = (self.whole(condition), self.whole(b));
         let otherwise = if b.starts_with("if ") { b } else { format!("{{ {b} }}") };
         (format!("if {condition} {{ {a} }} else {otherwise}"), Binding::Choice)
