@@ -31,7 +31,7 @@ fn both_parts_of_the_starter_scenes_compute_the_bits_of_the_whole() {
             for quantity in QUANTITIES {
                 let whole = shading.program(quantity);
                 let start = Instant::now();
-                let split = split(&whole);
+                let split = split(&whole, Rate::Material);
                 let elapsed = start.elapsed();
                 let names: Vec<&str> = split.prepared.iter().map(|prepared| prepared.name.as_str()).collect();
                 println!(
@@ -106,6 +106,40 @@ fn the_functions_in_two_parts_pass_the_judges() {
             judge_text(language, Form::Library, &name, &text).unwrap_or_else(|error| panic!("{error}\n{text}"));
             assert_eq!(text.contains("prepare_surface("), is_split, "{text}");
             assert_eq!(text.contains("PreparedSurface"), is_split, "{text}");
+        }
+    }
+}
+
+/// [`UNIFORM`] with inputs that change with the vertices.
+fn with_vertices(variant: &str) -> Shading {
+    let text = UNIFORM.replace("thickness_nm = \"material\"", "film_ior = \"vertex\"");
+    let text = text.replace("roughness = \"pixel\"", "roughness = \"vertex\"") + "[emit]\nvertex = true\n";
+    let scene = Scene::from_toml("vertices.toml", &text, Path::new("")).unwrap_or_else(|error| panic!("{error:?}"));
+    let variant: Variant = variant.parse().unwrap_or_else(|error| panic!("{variant}: {error}"));
+    Shading::new(&scene, &variant).unwrap_or_else(|error| panic!("{error}"))
+}
+
+#[test]
+fn the_functions_in_three_parts_pass_the_judges_and_compute_the_bits_of_the_whole() {
+    for variant in VARIANTS {
+        let shading = with_vertices(variant);
+        let quantity = ShadingQuantity::Directions;
+        let whole = shading.program(quantity);
+        let stages = shading.stages(quantity);
+        assert!(stages.material.prepare.is_some() && stages.vertex.prepare.is_some(), "{variant}");
+        for point in spread(whole.inputs(), POINTS, 1) {
+            let expected = interpret::evaluate(&whole, &point);
+            let of_rest = stages.material.pixel_point(whole.inputs(), &point, |value| value);
+            let of_pixel = stages.vertex.pixel_point(stages.material.pixel.inputs(), &of_rest, |value| value);
+            assert_eq!(interpret::evaluate(&stages.vertex.pixel, &of_pixel), expected, "{variant} at {point:?}");
+            assert_eq!(interpret::evaluate(&stages.joined, &point), expected, "{variant} at {point:?}");
+        }
+        for language in Language::ALL {
+            let text = library(&shading, language);
+            judge_text(language, Form::Library, variant, &text).unwrap_or_else(|error| panic!("{error}\n{text}"));
+            for name in ["prepare_surface(", "vertex_surface(", "PreparedSurface", "VertexSurface"] {
+                assert!(text.contains(name), "{variant}: no {name} in\n{text}");
+            }
         }
     }
 }

@@ -13,6 +13,7 @@ use pavo_shade::{Input, Program, Type, interpret};
 use pavo_tests::{SCENES, scene_file, starter};
 use project::{Evaluation, Project};
 use signature::Module;
+use std::path::Path;
 
 /// To the graph in single precision: the same operations, but for the last bit of sines and exponentials. Over the
 /// larger of 1 and the value.
@@ -78,7 +79,38 @@ fn cases() -> Vec<Case> {
     let others = VARIANTS.iter().map(|(name, variant)| (*name, (*variant).to_owned()));
     own.chain(others)
         .map(|(name, variant)| Case { whole: shading(name, &variant, false), prepared: shading(name, &variant, true) })
+        .chain([of_three_parts()])
         .collect()
+}
+
+/// A surface with inputs of each rate, that may be denser or thinner than what is in front of it.
+const THREE_PARTS: &str = r#"
+name = "three-parts"
+[ambient]
+ior = [1.0, 1.6]
+[film]
+ior = [1.1, 2.2]
+thickness_nm = [0, 900]
+[base]
+ior = [1.0, 2.5]
+[surface]
+diffuse = true
+base_color = "input"
+[rates]
+film_ior = "vertex"
+roughness = "vertex"
+base_color = "pixel"
+"#;
+
+fn of_three_parts() -> Case {
+    let of = |text: &str| {
+        let scene =
+            Scene::from_toml("three-parts.toml", text, Path::new("")).unwrap_or_else(|error| panic!("{error:?}"));
+        let variant: Variant = "windowed:k=6".parse().unwrap_or_else(|error| panic!("{error}"));
+        Shading::new(&scene, &variant).unwrap_or_else(|error| panic!("{error}"))
+    };
+    let without_rates = THREE_PARTS.split("[rates]").next().unwrap_or_default();
+    Case { whole: of(without_rates), prepared: of(&format!("{THREE_PARTS}[emit]\nvertex = true\n")) }
 }
 
 /// What the graph computes at points, each operation rounded to single precision.

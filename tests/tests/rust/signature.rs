@@ -33,7 +33,7 @@ impl Module {
         let argument = |argument: &FnArg| {
             let FnArg::Typed(typed) = argument else { panic!("{name} takes self") };
             let Pat::Ident(pattern) = &*typed.pat else { panic!("{name}: a parameter without a name") };
-            let is_vector = matches!(&*typed.ty, Type::Path(path) if path.path.is_ident("Vec3"));
+            let is_vector = is_named(&typed.ty, "Vec3");
             match place(inputs, &pattern.ident.to_string()) {
                 Some(first) if is_vector => {
                     format!("glam::Vec3::new(p[{first}], p[{}], p[{}])", first + 1, first + 2)
@@ -42,12 +42,17 @@ impl Module {
                 // What is prepared for functions other than the one that is called.
                 None if name == PREPARE && is_vector => "glam::Vec3::splat(0.5)".to_owned(),
                 None if name == PREPARE => "0.5".to_owned(),
+                None if is_named(&typed.ty, "VertexSurface") => self.call("vertex_surface", inputs),
                 None => self.call(PREPARE, inputs),
             }
         };
         let arguments: Vec<String> = function.sig.inputs.iter().map(argument).collect();
         format!("{}::{name}({})", self.name, arguments.join(", "))
     }
+}
+
+fn is_named(ty: &Type, name: &str) -> bool {
+    matches!(ty, Type::Path(path) if path.path.is_ident(name))
 }
 
 /// Where the numbers of an input begin in a point.

@@ -32,6 +32,14 @@ impl Judge {
         }
     }
 
+    /// The name, and what it checks where that is less than one expects.
+    pub fn described(self) -> String {
+        match self {
+            Judge::Syn => format!("{} ({})", self.name(), self.checks()),
+            _ => self.name().to_owned(),
+        }
+    }
+
     /// What it checks.
     pub fn checks(self) -> &'static str {
         match self {

@@ -74,7 +74,7 @@ pub(super) const TABLES: &[(&str, &[&str])] = &[
     ("budget", &["max_delta_e"]),
     // Its keys are names of inputs, which are checked where they are read.
     ("rates", &[]),
-    ("emit", &["targets", "variant", "prefix", "prepare"]),
+    ("emit", &["targets", "variant", "prefix", "prepare", "vertex"]),
 ];
 
 /// Words that people write for one of ours and that no edit distance would find.
