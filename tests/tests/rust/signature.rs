@@ -5,6 +5,8 @@ use syn::{FnArg, Item, ItemFn, Pat, Type};
 
 /// The function that prepares.
 const PREPARE: &str = "prepare_surface";
+/// The function of the vertices.
+const VERTEX: &str = "vertex_surface";
 
 /// A module as syn reads it.
 pub struct Module {
@@ -39,10 +41,12 @@ impl Module {
                     format!("glam::Vec3::new(p[{first}], p[{}], p[{}])", first + 1, first + 2)
                 }
                 Some(first) => format!("p[{first}]"),
+                None if is_named(&typed.ty, "VertexSurface") => self.call(VERTEX, inputs),
+                None if is_named(&typed.ty, "PreparedSurface") => self.call(PREPARE, inputs),
                 // What is prepared for functions other than the one that is called.
-                None if name == PREPARE && is_vector => "glam::Vec3::splat(0.5)".to_owned(),
-                None if name == PREPARE => "0.5".to_owned(),
-                None if is_named(&typed.ty, "VertexSurface") => self.call("vertex_surface", inputs),
+                None if [PREPARE, VERTEX].contains(&name) && is_vector => "glam::Vec3::splat(0.5)".to_owned(),
+                None if [PREPARE, VERTEX].contains(&name) => "0.5".to_owned(),
+                // A single prepared value.
                 None => self.call(PREPARE, inputs),
             }
         };
