@@ -235,5 +235,5 @@ pub fn vector(dialect: &Dialect, components: [f64; 3]) -> String {
 /// A constant number.
 pub fn literal(dialect: &Dialect, value: f64) -> (String, Binding) {
     let text = if dialect.syntax == Syntax::Rust { rust::number(value) } else { number(value) };
-    (text, if value < 0.0 { Binding::Unary } else { Binding::Primary })
+    (text, if value.is_sign_negative() { Binding::Unary } else { Binding::Primary })
 }

@@ -50,12 +50,12 @@ fn each<const N: usize>(
 ";
 
 impl Project {
-    /// Writes the modules, by name and text.
+    /// Writes the modules, by name and text, to a folder of this name.
     ///
     /// # Panics
     /// If they cannot be written.
-    pub fn new(modules: &[(String, String)]) -> Self {
-        let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("generated-rust");
+    pub fn new(name: &str, modules: &[(String, String)]) -> Self {
+        let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join(name);
         let source = folder.join("src");
         // The build folder stays, so that glam is compiled once; modules of an earlier run go.
         let _ = std::fs::remove_dir_all(&source);
@@ -65,7 +65,7 @@ impl Project {
         project.write(
             "Cargo.toml",
             &format!(
-                "[package]\nname = \"generated\"\nedition = \"2024\"\n\n[dependencies]\n{glam}\n\n\
+                "[package]\nname = \"{name}\"\nedition = \"2024\"\n\n[dependencies]\n{glam}\n\n\
                  [profile.dev]\ndebug = false\n\n[workspace]\n"
             ),
         );
@@ -93,7 +93,8 @@ impl Project {
     /// # Panics
     /// If a module is not accepted by the compiler, or warned of.
     pub fn run(&self, evaluations: &[Evaluation]) -> Vec<Vec<[f32; 3]>> {
-        let mut program = format!("use generated::*;\n{SHARED}\nfn main() {{\n");
+        let library = self.folder.file_name().unwrap_or_default().display().to_string().replace('-', "_");
+        let mut program = format!("use {library}::*;\n{SHARED}\nfn main() {{\n");
         program.push_str(
             "    let bytes = std::fs::read(\"points\").unwrap();\n    \
              let mut numbers = bytes.chunks_exact(4).map(|bytes| f32::from_le_bytes(bytes.try_into().unwrap()));\n    \
@@ -142,7 +143,10 @@ impl Project {
 
     fn execute(&self, program: &str, arguments: &[&str]) {
         let mut command = Command::new(program);
-        command.current_dir(&self.folder).args(arguments).env("CARGO_TARGET_DIR", self.folder.join("target"));
+        command
+            .current_dir(&self.folder)
+            .args(arguments)
+            .env("CARGO_TARGET_DIR", self.folder.with_file_name("generated-target"));
         let output = command.output().unwrap_or_else(|error| panic!("{program} {arguments:?}: {error}"));
         assert!(
             output.status.success(),

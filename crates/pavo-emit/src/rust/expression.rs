@@ -71,7 +71,7 @@ impl Expressions<'_> {
     /// What stands before a point; a number there has to say its type.
     fn receiver(&self, index: u32) -> String {
         match (&self.locals[index as usize], self.definition.nodes[index as usize].op) {
-            (Local::Written, Op::Literal(bits)) if f64::from_bits(bits) < 0.0 => {
+            (Local::Written, Op::Literal(bits)) if f64::from_bits(bits).is_sign_negative() => {
                 format!("({}_f32)", self.whole(index))
             }
             (Local::Written, Op::Literal(_)) => format!("{}_f32", self.whole(index)),
