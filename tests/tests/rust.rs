@@ -192,6 +192,7 @@ fn emitted_rust_compiles_without_a_warning_and_computes_the_same() {
         }
     }
     project.lint();
+    project.format();
 }
 
 /// A function of random steps: the sum of all its values.
@@ -232,7 +233,9 @@ fn each_operation_is_written_as_it_is_computed() {
         evaluations.push(Evaluation { expression, points: points.clone() });
         modules.push((name, text));
     }
-    let results = Project::new("generated-operations", &modules).run(&evaluations);
+    let project = Project::new("generated-operations", &modules);
+    project.format();
+    let results = project.run(&evaluations);
     let mut compared = 0;
     for ((found, steps), (name, text)) in results.iter().zip(&programs).zip(&modules) {
         let native =

@@ -100,7 +100,8 @@ pub fn library(program: &Program, options: &Options) -> String {
         text.push_str(dialect.preamble);
     }
     text.push_str(&functions);
-    text
+    // Without a header nothing stands before the first line.
+    text.trim_start_matches('\n').to_owned()
 }
 
 /// Where a text has its tables.

@@ -120,24 +120,31 @@ impl Project {
         evaluations.iter().map(|evaluation| colors.by_ref().take(evaluation.points.len()).collect()).collect()
     }
 
-    /// Has clippy and rustfmt look at the modules, where they are installed.
+    /// Has clippy look at the modules, where it is installed.
     ///
     /// # Panics
-    /// If they have something to say.
+    /// If it has something to say.
     pub fn lint(&self) {
+        self.execute_installed(env!("CARGO"), &["clippy", "--quiet", "--offline", "--lib", "--", "-D", "warnings"]);
+    }
+
+    /// Has rustfmt look at the modules with its defaults, where it is installed.
+    ///
+    /// # Panics
+    /// If it would lay them out in another way.
+    pub fn format(&self) {
         // The workspace's own settings are not what a user has.
         self.write("rustfmt.toml", "");
-        for (program, arguments) in [
-            (env!("CARGO"), &["clippy", "--quiet", "--offline", "--lib", "--", "-D", "warnings"][..]),
-            ("rustfmt", &["--edition", "2024", "--check", "src/lib.rs"]),
-        ] {
-            let version: Vec<&str> = arguments.iter().copied().take_while(|first| !first.starts_with('-')).collect();
-            let asked = Command::new(program).args(version).arg("--version").output();
-            if asked.is_ok_and(|output| output.status.success()) {
-                self.execute(program, arguments);
-            } else {
-                println!("{program} {arguments:?} is not installed: the text is not judged by it");
-            }
+        self.execute_installed("rustfmt", &["--edition", "2024", "--check", "src/lib.rs"]);
+    }
+
+    fn execute_installed(&self, program: &str, arguments: &[&str]) {
+        let command: Vec<&str> = arguments.iter().copied().take_while(|first| !first.starts_with('-')).collect();
+        let asked = Command::new(program).args(command).arg("--version").output();
+        if asked.is_ok_and(|output| output.status.success()) {
+            self.execute(program, arguments);
+        } else {
+            println!("{program} {arguments:?} is not installed: the text is not judged by it");
         }
     }
 

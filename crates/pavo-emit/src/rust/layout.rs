@@ -113,7 +113,7 @@ fn operators(operator: &str, operands: &[Tree<'_>], block: usize, column: usize,
         let end = if index + 1 == operands.len() { after } else { 0 };
         let width = text.lines().last().map_or(0, str::len) + if text.contains('\n') { 0 } else { column };
         if index == 0 {
-            text = rendered(operand, block, offset.max(column), 0);
+            text = rendered(operand, block, column, 0);
         } else if width <= inner {
             // Nothing stands alone on a line that is as short as the block is deep.
             text = format!("{text} {operator} {}", rendered(operand, block, width + operator.len() + 2, end));
