@@ -11,14 +11,14 @@ use pavo::points::spread;
 use pavo::scene::Scene;
 use pavo::{Shading, ShadingQuantity, Variant, library};
 use pavo_emit::{Language, Options, emit_library};
-use pavo_shade::{Graph, Input, Program, Rate, Real, Scalar, Type, Vector, interpret, shade};
+use pavo_shade::{Graph, Input, PREPARED_SURFACE, Program, Rate, Real, Scalar, Type, Vector, interpret, shade};
 use pavo_tests::{SCENES, scene_file, starter};
 use project::{Evaluation, Project};
 use proptest::prelude::Strategy;
 use proptest::strategy::ValueTree;
 use proptest::test_runner::{Config, RngAlgorithm, TestRng, TestRunner};
 use random::{Step, Values};
-use signature::Module;
+use signature::{Module, layout};
 use std::path::Path;
 
 /// To the graph in single precision: the same operations, but for the last bit of sines and exponentials. Over the
@@ -195,9 +195,29 @@ fn emitted_rust_compiles_without_a_warning_and_computes_the_same() {
     project.format();
 }
 
+#[test]
+fn what_is_prepared_lies_in_memory_as_in_a_uniform_buffer() {
+    for shading in [
+        shading("beetle-shell", "windowed:k=6", true),
+        shading("beetle-shell", "poles:k=5", true),
+        of_three_parts().prepared,
+    ] {
+        let wgsl = library(&shading, Language::Wgsl);
+        let module = naga::front::wgsl::parse_str(&wgsl).unwrap_or_else(|error| panic!("{error}"));
+        let found = module.types.iter().find_map(|(_, ty)| match &ty.inner {
+            naga::TypeInner::Struct { members, span } if ty.name.as_deref() == Some(PREPARED_SURFACE) => {
+                let field = |member: &naga::StructMember| (member.name.clone().unwrap_or_default(), member.offset);
+                Some((members.iter().map(field).collect::<Vec<_>>(), *span))
+            }
+            _ => None,
+        });
+        assert_eq!(Some(layout(&library(&shading, Language::Rust), PREPARED_SURFACE)), found);
+    }
+}
+
 /// A function of random steps: the sum of all its values.
 #[shade]
-fn random_color<S: Scalar>(x: S, y: S, v: S::Vec3, #[constant] steps: &Vec<Step>) -> S::Vec3 {
+fn random_color<S: Scalar>(x: S, y: S, v: S::Vec3, #[constant] steps: &[Step]) -> S::Vec3 {
     sum(Values::<S>::new(x, y, v).run(steps))
 }
 

@@ -7,7 +7,7 @@ mod tree;
 
 use crate::dialect::Dialect;
 use crate::literal;
-use crate::text::{Struct, field_doc};
+use crate::text::{Struct, field_doc, split_place};
 use crate::uniform::padding;
 pub use layout::statement;
 
@@ -109,8 +109,12 @@ pub fn finished(mut statements: Vec<String>, made: Option<&Struct>, mut results:
     let Some(made) = made else {
         let value = results.swap_remove(0);
         // A name that is bound to be returned at once is none.
-        let bound = statements.last().and_then(|last| last.strip_prefix(&format!("let {value} = "))?.strip_suffix(';'));
-        let last = bound.map(str::to_owned);
+        let bound = |last: &String| {
+            let (code, place) = split_place(last);
+            let bound = code.strip_prefix(&format!("let {value} = "))?.strip_suffix(';')?;
+            Some(format!("{bound}{place}"))
+        };
+        let last = statements.last().and_then(bound);
         if last.is_some() {
             statements.pop();
         }

@@ -220,7 +220,7 @@ fn function(context: &Context<'_>, definition: &Definition, index: usize) -> Str
     text.push_str(&function::head(dialect, &context.functions[index], &head, result));
     text.push('\n');
     for statement in finished(dialect, statements, made, results) {
-        let (code, place) = statement.split_at(statement.find(" // ").unwrap_or(statement.len()));
+        let (code, place) = split_place(&statement);
         if dialect.syntax == Syntax::Rust {
             text.push_str(&rust::statement(code, place));
         } else {
@@ -229,6 +229,11 @@ fn function(context: &Context<'_>, definition: &Definition, index: usize) -> Str
     }
     text.push_str("}\n");
     text
+}
+
+/// A statement, and the comment on where it was written.
+pub fn split_place(statement: &str) -> (&str, &str) {
+    statement.split_at(statement.find(" // ").unwrap_or(statement.len()))
 }
 
 /// The statements of a function with what it returns.

@@ -1,12 +1,44 @@
 //! The functions of an emitted module, and how they are called with the numbers of a point.
 
 use pavo_shade::Input;
-use syn::{FnArg, Item, ItemFn, Pat, Type};
+use syn::{Expr, ExprLit, FnArg, Item, ItemFn, Lit, Pat, Type};
 
 /// The function that prepares.
 const PREPARE: &str = "prepare_surface";
 /// The function of the vertices.
 const VERTEX: &str = "vertex_surface";
+
+/// Where each field of a struct of numbers and vectors lies, in bytes, and how long it is.
+///
+/// # Panics
+/// If the module has no such struct, or one of other fields.
+pub fn layout(text: &str, name: &str) -> (Vec<(String, u32)>, u32) {
+    let file = syn::parse_file(text).unwrap_or_else(|error| panic!("{error}"));
+    let structure = file.items.into_iter().find_map(|item| match item {
+        Item::Struct(structure) if structure.ident == name => Some(structure),
+        _ => None,
+    });
+    let structure = structure.unwrap_or_else(|| panic!("no struct {name} in\n{text}"));
+    let mut place = 0;
+    let mut fields = Vec::new();
+    for field in structure.fields {
+        let field_name = field.ident.map_or_else(String::new, |name| name.to_string());
+        let numbers: u32 = match &field.ty {
+            ty if is_named(ty, "f32") => 1,
+            ty if is_named(ty, "Vec3") => 3,
+            Type::Array(array) => match &array.len {
+                Expr::Lit(ExprLit { lit: Lit::Int(length), .. }) => length.base10_parse().unwrap_or_default(),
+                _ => panic!("{field_name} is of no known length"),
+            },
+            _ => panic!("{field_name} is neither a number nor a vector"),
+        };
+        if !field_name.starts_with("_padding") {
+            fields.push((field_name, place));
+        }
+        place += 4 * numbers;
+    }
+    (fields, place)
+}
 
 /// A module as syn reads it.
 pub struct Module {
