@@ -2,22 +2,16 @@
 
 #[path = "rust/project.rs"]
 mod project;
-#[path = "../../crates/pavo-shade/tests/random/mod.rs"]
-mod random;
 #[path = "rust/signature.rs"]
 mod signature;
 
 use pavo::points::spread;
 use pavo::scene::Scene;
 use pavo::{Shading, ShadingQuantity, Variant, library};
-use pavo_emit::{Language, Options, emit_library};
-use pavo_shade::{Graph, Input, PREPARED_SURFACE, Program, Rate, Real, Scalar, Type, Vector, interpret, shade};
+use pavo_emit::Language;
+use pavo_shade::{Input, PREPARED_SURFACE, Program, Type, interpret};
 use pavo_tests::{SCENES, scene_file, starter};
-use project::{Evaluation, Project};
-use proptest::prelude::Strategy;
-use proptest::strategy::ValueTree;
-use proptest::test_runner::{Config, RngAlgorithm, TestRng, TestRunner};
-use random::{Step, Values};
+use project::{Evaluation, Project, difference};
 use signature::{Module, layout};
 use std::path::Path;
 
@@ -137,14 +131,6 @@ fn of_graph(program: &Program, inputs: &[Input], points: &[Vec<f32>]) -> Vec<[f3
     points.iter().map(at).collect()
 }
 
-/// The largest difference over the larger of 1 and the value.
-fn difference(found: &[[f32; 3]], expected: &[[f32; 3]]) -> f64 {
-    let pairs = found.as_flattened().iter().zip(expected.as_flattened());
-    pairs
-        .map(|(&found, &expected)| f64::from((found - expected).abs()) / f64::from(expected.abs()).max(1.0))
-        .fold(0.0, f64::max)
-}
-
 #[test]
 fn emitted_rust_compiles_without_a_warning_and_computes_the_same() {
     let cases = cases();
@@ -213,65 +199,4 @@ fn what_is_prepared_lies_in_memory_as_in_a_uniform_buffer() {
         });
         assert_eq!(Some(layout(&library(&shading, Language::Rust), PREPARED_SURFACE)), found);
     }
-}
-
-/// A function of random steps: the sum of all its values.
-#[shade]
-fn random_color<S: Scalar>(x: S, y: S, v: S::Vec3, #[constant] steps: &[Step]) -> S::Vec3 {
-    sum(Values::<S>::new(x, y, v).run(steps))
-}
-
-fn sum<S: Scalar>(values: Values<S>) -> S::Vec3 {
-    let numbers = values.numbers.into_iter().map(S::Vec3::splat);
-    numbers.chain(values.vectors).fold(S::Vec3::lit(0.0), |sum, value| sum + value)
-}
-
-/// How many random programs are compiled.
-const PROGRAMS: usize = 100;
-
-#[test]
-fn each_operation_is_written_as_it_is_computed() {
-    let mut runner = TestRunner::new_with_rng(Config::default(), TestRng::deterministic_rng(RngAlgorithm::ChaCha));
-    let mut next = || random::program().new_tree(&mut runner).unwrap_or_else(|error| panic!("{error}")).current();
-    let programs: Vec<Vec<Step>> = (0..PROGRAMS).map(|_| next().0).collect();
-    let points: Vec<Vec<f32>> = (0..50).map(|_| next().1.map(|number| number as f32).to_vec()).collect();
-    let inputs = [
-        Input::scalar("x", "", -4.0, 4.0, Rate::Pixel),
-        Input::scalar("y", "", -4.0, 4.0, Rate::Pixel),
-        Input { low: -4.0, high: 4.0, ..Input::colour("v", Rate::Pixel) },
-    ];
-    let options = Options { language: Language::Rust, header: Vec::new(), prefix: String::new(), source_lines: false };
-    let mut modules = Vec::new();
-    let mut evaluations = Vec::new();
-    for (number, steps) in programs.iter().enumerate() {
-        let graph = Graph::new();
-        let [x, y, v] = inputs.clone().map(|input| graph.input(input));
-        graph.output("color", random_color(x, y, v, steps).as_vec3());
-        let name = format!("random_{number:03}");
-        let text = emit_library(&graph.program(), &options);
-        let expression = Module::new(&name, &text).call("random_color", &inputs);
-        evaluations.push(Evaluation { expression, points: points.clone() });
-        modules.push((name, text));
-    }
-    let project = Project::new("generated-operations", &modules);
-    project.format();
-    let results = project.run(&evaluations);
-    let mut compared = 0;
-    for ((found, steps), (name, text)) in results.iter().zip(&programs).zip(&modules) {
-        let native =
-            |point: &Vec<f32>| random_color(point[0], point[1], glam::Vec3::from_slice(&point[2..]), steps).to_array();
-        let expected: Vec<[f32; 3]> = points.iter().map(native).collect();
-        let finite =
-            found.iter().zip(&expected).filter(|(_, expected)| expected.iter().all(|number| number.is_finite()));
-        let (found, expected): (Vec<[f32; 3]>, Vec<[f32; 3]>) = finite.unzip();
-        let different = found
-            .iter()
-            .zip(&expected)
-            .filter(|(found, expected)| difference(&[**found], &[**expected]) > 1e-3)
-            .count();
-        compared += found.len();
-        // A constant that is folded in double precision can lie on the other side of a step.
-        assert!(different <= found.len() / 10, "{name}: {different} of {} differ\n{text}", found.len());
-    }
-    assert!(compared > PROGRAMS * 25, "{compared} points have finite values");
 }

@@ -1,5 +1,8 @@
 //! A cargo project around emitted modules: it is compiled with the workspace's glam, and run over points.
 
+// Each test file is a crate of its own and uses a part of this.
+#![allow(dead_code)]
+
 use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
 use std::process::Command;
@@ -10,6 +13,14 @@ pub struct Evaluation {
     pub expression: String,
     /// The points, all of one length.
     pub points: Vec<Vec<f32>>,
+}
+
+/// The largest difference over the larger of 1 and the value.
+pub fn difference(found: &[[f32; 3]], expected: &[[f32; 3]]) -> f64 {
+    let pairs = found.as_flattened().iter().zip(expected.as_flattened());
+    pairs
+        .map(|(&found, &expected)| f64::from((found - expected).abs()) / f64::from(expected.abs()).max(1.0))
+        .fold(0.0, f64::max)
 }
 
 /// The workspace, whose lock file and version of glam are taken.

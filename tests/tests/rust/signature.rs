@@ -1,5 +1,8 @@
 //! The functions of an emitted module, and how they are called with the numbers of a point.
 
+// Each test file is a crate of its own and uses a part of this.
+#![allow(dead_code)]
+
 use pavo_shade::Input;
 use syn::{Expr, ExprLit, FnArg, Item, ItemFn, Lit, Pat, Type};
 
