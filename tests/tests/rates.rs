@@ -8,10 +8,12 @@ use pavo::{Shading, ShadingQuantity, Variant, library};
 use pavo_check::{ComputeShader, Device, judge_text, wgsl_to_spirv};
 use pavo_emit::{Form, Language, Options, WORKGROUP_SIZE, emit_compute};
 use pavo_shade::{LEAST_SAVED, Rate, Split, interpret, split};
-use pavo_tests::{SCENES, scene_file};
+use pavo_tests::{SCENES, run, scene_file};
+use serde_json::Value;
 use std::path::Path;
 use std::time::Instant;
 
+const PROGRAM: &str = env!("CARGO_BIN_EXE_pavo-under-test");
 const VARIANTS: [&str; 5] = ["windowed:k=6", "poles:k=5", "series:m=3,fit=xyz-gauss", "spectral:n=16", "spectral:n=81"];
 const QUANTITIES: [ShadingQuantity; 3] =
     [ShadingQuantity::Reflectance, ShadingQuantity::Radiance, ShadingQuantity::Directions];
@@ -142,6 +144,28 @@ fn the_functions_in_three_parts_pass_the_judges_and_compute_the_bits_of_the_whol
             }
         }
     }
+}
+
+#[test]
+fn the_manifest_counts_operations_by_rate_and_says_what_is_interpolated() {
+    let folder = tempfile::tempdir().expect("a temporary folder can be made");
+    let text = UNIFORM.replace("roughness = \"pixel\"", "roughness = \"vertex\"") + "[emit]\nvertex = true\n";
+    std::fs::write(folder.path().join("scene.toml"), text).expect("the scene can be written");
+    let arguments = ["build", "scene.toml", "-o", "out", "--no-run", "--json", "--target", "wgsl,rust"];
+    let ran = run(PROGRAM, folder.path(), &arguments);
+    assert_eq!(ran.status, 0, "{}", ran.errors);
+    let manifest: Value = serde_json::from_str(&ran.output).expect("the manifest is JSON");
+    let rates = &manifest["rates"];
+    for kind in ["arithmetic", "roots", "transcendental", "fetches"] {
+        let of = |rate: &str| rates["by_rate"][rate][kind].as_u64();
+        let sum = ["material", "vertex", "pixel"].into_iter().filter_map(of).sum::<u64>();
+        assert_eq!(Some(sum), rates["whole"][kind].as_u64(), "{kind}: {rates}");
+    }
+    assert!(rates["emitted"] == true && rates["vertex"]["emitted"] == true, "{rates}");
+    let interpolated = rates["vertex"]["interpolated"].as_array().expect("a list");
+    assert!(interpolated.iter().any(|value| value["name"] == "alpha_squared"), "{rates}");
+    let checks = |target: usize| &manifest["targets"][target]["verdicts"][0]["checks"];
+    assert_eq!([checks(0), checks(1)], ["syntax and types", "syntax alone"]);
 }
 
 /// Single precision.
