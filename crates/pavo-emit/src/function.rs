@@ -4,7 +4,6 @@ use crate::dialect::{Dialect, Syntax};
 use crate::expression::{Expressions, literal, vector};
 use crate::namer::Namer;
 use crate::passing::PassedStruct;
-use crate::rust;
 use crate::text::{PrintedTable, Struct, WIDTH};
 use pavo_shade::{BinaryOp, Definition, Op, Output, ReturnValue, UnaryOp, operands};
 
@@ -307,10 +306,10 @@ pub fn head(dialect: &Dialect, name: &str, parameters: &[HeadParameter], result:
     let (before, after) = match dialect.syntax {
         Syntax::Wgsl => (format!("fn {name}("), format!(") -> {result} {{")),
         Syntax::C => (format!("{result} {name}("), ") {".to_owned()),
-        Syntax::Rust => (rust::attributes(parameters.len()) + &format!("pub fn {name}("), format!(") -> {result} {{")),
+        Syntax::Rust => (format!("pub fn {name}("), format!(") -> {result} {{")),
     };
     let line = format!("{before}{}{after}", typed.join(", "));
-    if line.lines().all(|line| line.len() <= WIDTH) {
+    if line.len() <= WIDTH {
         return line;
     }
     let comma = if dialect.syntax == Syntax::C { "" } else { "," };

@@ -25,8 +25,8 @@ const PREPARED_DOC: &str = "\
 ";
 
 /// Constants of `std::f32::consts`: clippy refuses their digits.
-const NAMED: [(&str, f32); 17] = {
-    use std::f32::consts::*;
+const NAMED: [(&str, f64); 19] = {
+    use std::f64::consts::*;
     [
         ("PI", PI),
         ("TAU", TAU),
@@ -43,18 +43,37 @@ const NAMED: [(&str, f32); 17] = {
         ("FRAC_1_SQRT_2", FRAC_1_SQRT_2),
         ("LN_2", LN_2),
         ("LN_10", LN_10),
+        ("LOG2_10", LOG2_10),
         ("LOG2_E", LOG2_E),
+        ("LOG10_2", LOG10_2),
         ("LOG10_E", LOG10_E),
     ]
 };
 
+/// How many characters make clippy take a number for a constant, at least.
+const CLIPPY_DIGITS: usize = 4;
+
 /// A number: by its name where it has one.
 pub fn number(value: f64) -> String {
     let sign = if value < 0.0 { "-" } else { "" };
-    match NAMED.iter().find(|(_, named)| *named == (value as f32).abs()) {
+    match NAMED.iter().find(|(_, named)| *named as f32 == (value as f32).abs()) {
         Some((name, _)) => format!("{sign}std::f32::consts::{name}"),
         None => literal::number(value),
     }
+}
+
+/// Whether a text has a number that clippy takes for a constant, as an index of 3.14.
+fn has_near_constant(text: &str) -> bool {
+    let is_near = |digits: &str, named: f64| {
+        let rounded = format!("{named:.*}", digits.len().saturating_sub(2));
+        named.to_string().starts_with(digits) || rounded == digits
+    };
+    let words =
+        text.split(|character: char| !character.is_ascii_alphanumeric() && character != '.' && character != '_');
+    let numbers = words.map(|word| word.trim_end_matches("_f32")).filter(|word| {
+        word.len() >= CLIPPY_DIGITS && word.contains('.') && word.starts_with(|first: char| first.is_ascii_digit())
+    });
+    numbers.into_iter().any(|digits| NAMED.iter().any(|(_, named)| is_near(digits, *named)))
 }
 
 /// A constant vector of this type.
@@ -67,10 +86,16 @@ pub fn vector(ty: &str, components: [&str; 3]) -> String {
     }
 }
 
-/// What stands before a function of so many parameters.
-pub fn attributes(parameters: usize) -> String {
-    let many = if parameters > CLIPPY_PARAMETERS { "#[allow(clippy::too_many_arguments)]\n" } else { "" };
-    many.to_owned()
+/// What stands before a function of so many parameters, or before a table, with this text in it.
+pub fn attributes(parameters: usize, text: &str) -> String {
+    let mut attributes = String::new();
+    if has_near_constant(text) {
+        attributes.push_str("#[allow(clippy::approx_constant)]\n");
+    }
+    if parameters > CLIPPY_PARAMETERS {
+        attributes.push_str("#[allow(clippy::too_many_arguments)]\n");
+    }
+    attributes
 }
 
 /// A struct. What was prepared lies in memory as it does in a uniform buffer.
@@ -139,4 +164,20 @@ pub fn finished(mut statements: Vec<String>, made: Option<&Struct>, mut results:
     statements.extend(fields.into_iter().map(|field| format!("    {field},")));
     statements.push("}".to_owned());
     statements
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{attributes, number};
+    use std::f64::consts::{FRAC_1_PI, PI};
+
+    #[test]
+    fn constants_have_names_and_what_is_near_them_is_allowed() {
+        assert_eq!(number(PI), "std::f32::consts::PI");
+        assert_eq!(number(-FRAC_1_PI), "-std::f32::consts::FRAC_1_PI");
+        assert_eq!(number(3.25), "3.25");
+        for (text, is_near) in [("x * 3.14", true), ("(-2.718_f32).max(x)", true), ("0.5 + x_2 * 3.1", false)] {
+            assert_eq!(attributes(1, text).contains("approx_constant"), is_near, "{text}");
+        }
+    }
 }

@@ -136,7 +136,11 @@ pub fn functions(program: &Program, options: &Options, names: &Names, tables: Ta
         text.push('\n');
         text.push_str(&doc_comment(dialect, &Paragraph::of_doc(dialect, std::slice::from_ref(&table.doc))));
         text.push_str(&match tables {
-            Tables::Constants => rows(dialect, table, name),
+            Tables::Constants => {
+                let rows = rows(dialect, table, name);
+                let before = if dialect.syntax == Syntax::Rust { rust::attributes(0, &rows) } else { String::new() };
+                before + &rows
+            }
             Tables::Buffers { first_binding } => dialect.table_buffer(name, first_binding + index),
         });
     }
@@ -217,9 +221,13 @@ fn function(context: &Context<'_>, definition: &Definition, index: usize) -> Str
     let made = context.structs[index].as_ref();
     let result = made.map_or(dialect.type_name(definition.results[0].ty), |made| &made.name);
     let mut text = doc_comment(dialect, &doc);
+    let statements = finished(dialect, statements, made, results);
+    if dialect.syntax == Syntax::Rust {
+        text.push_str(&rust::attributes(head.len(), &statements.join("\n")));
+    }
     text.push_str(&function::head(dialect, &context.functions[index], &head, result));
     text.push('\n');
-    for statement in finished(dialect, statements, made, results) {
+    for statement in statements {
         let (code, place) = split_place(&statement);
         if dialect.syntax == Syntax::Rust {
             text.push_str(&rust::statement(code, place));
