@@ -57,13 +57,15 @@ fn a_bad_scene_is_refused_by_every_command() {
 
 #[test]
 fn bad_arguments_are_refused() {
-    let cases: [(&[&str], &str, &str); 10] = [
+    let cases: [(&[&str], &str, &str); 12] = [
         (&["build", "absent.toml"], "there is no scene file `absent.toml`", "pavo new"),
         (&["build", "scene.toml", "--variant", "sereis:m=3", "-o", "out"], "unknown method `sereis`", "series, poles"),
         (&["build", "scene.toml", "--variant", "series:m=99", "-o", "out"], "`m=99`", "from 1 to 32"),
         (&["build", "scene.toml", "--target", "wgsl,hlsl7", "-o", "out"], "unknown target `hlsl7`", "essl300"),
         (&["emit", "scene.toml", "--target", "metal"], "unknown target `metal`", "glsl450"),
         (&["emit", "scene.toml", "--target", "spirv", "--form", "library"], "entry point", "--form compute"),
+        (&["emit", "scene.toml", "--target", "rust", "--form", "compute"], "no compute shaders", "--form library"),
+        (&["emit", "scene.toml", "--target", "rust", "--form", "fragment"], "no fragment shaders", "--target wgsl"),
         (&["emit", "scene.toml", "--target", "essl300", "--form", "compute"], "no compute shaders", "--form fragment"),
         (&["emit", "scene.toml", "--target", "wgsl", "--form", "mesh"], "mesh", "fragment"),
         (&["eval", "scene.toml", "--points", "absent.csv", "--on", "cpu-f64"], "absent.csv", "cannot be read"),

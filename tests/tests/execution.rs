@@ -26,7 +26,7 @@ fn build(name: &str, variant: Option<&str>) -> Value {
     let folder = tempfile::tempdir().expect("a temporary folder can be made");
     let scene = scene_file(name).display().to_string();
     let mut arguments =
-        vec!["build", &scene, "-o", "out", "--json", "--target", "wgsl,glsl450,glsl330,essl300,spirv,spirv-asm"];
+        vec!["build", &scene, "-o", "out", "--json", "--target", "wgsl,glsl450,glsl330,essl300,rust,spirv,spirv-asm"];
     arguments.extend(variant.into_iter().flat_map(|variant| ["--variant", variant]));
     let ran = run(PROGRAM, folder.path(), &arguments);
     assert_eq!(ran.status, 0, "{name}: {}", ran.errors);

@@ -8,10 +8,12 @@ use pavo::{Shading, ShadingQuantity, Variant, library};
 use pavo_check::{ComputeShader, Device, judge_text, wgsl_to_spirv};
 use pavo_emit::{Form, Language, Options, WORKGROUP_SIZE, emit_compute};
 use pavo_shade::{LEAST_SAVED, Rate, Split, interpret, split};
-use pavo_tests::{SCENES, scene_file};
+use pavo_tests::{SCENES, run, scene_file};
+use serde_json::Value;
 use std::path::Path;
 use std::time::Instant;
 
+const PROGRAM: &str = env!("CARGO_BIN_EXE_pavo-under-test");
 const VARIANTS: [&str; 5] = ["windowed:k=6", "poles:k=5", "series:m=3,fit=xyz-gauss", "spectral:n=16", "spectral:n=81"];
 const QUANTITIES: [ShadingQuantity; 3] =
     [ShadingQuantity::Reflectance, ShadingQuantity::Radiance, ShadingQuantity::Directions];
@@ -31,7 +33,7 @@ fn both_parts_of_the_starter_scenes_compute_the_bits_of_the_whole() {
             for quantity in QUANTITIES {
                 let whole = shading.program(quantity);
                 let start = Instant::now();
-                let split = split(&whole);
+                let split = split(&whole, Rate::Material);
                 let elapsed = start.elapsed();
                 let names: Vec<&str> = split.prepared.iter().map(|prepared| prepared.name.as_str()).collect();
                 println!(
@@ -108,6 +110,62 @@ fn the_functions_in_two_parts_pass_the_judges() {
             assert_eq!(text.contains("PreparedSurface"), is_split, "{text}");
         }
     }
+}
+
+/// [`UNIFORM`] with inputs that change with the vertices.
+fn with_vertices(variant: &str) -> Shading {
+    let text = UNIFORM.replace("thickness_nm = \"material\"", "film_ior = \"vertex\"");
+    let text = text.replace("roughness = \"pixel\"", "roughness = \"vertex\"") + "[emit]\nvertex = true\n";
+    let scene = Scene::from_toml("vertices.toml", &text, Path::new("")).unwrap_or_else(|error| panic!("{error:?}"));
+    let variant: Variant = variant.parse().unwrap_or_else(|error| panic!("{variant}: {error}"));
+    Shading::new(&scene, &variant).unwrap_or_else(|error| panic!("{error}"))
+}
+
+#[test]
+fn the_functions_in_three_parts_pass_the_judges_and_compute_the_bits_of_the_whole() {
+    for variant in VARIANTS {
+        let shading = with_vertices(variant);
+        let quantity = ShadingQuantity::Directions;
+        let whole = shading.program(quantity);
+        let stages = shading.stages(quantity);
+        assert!(stages.material.prepare.is_some() && stages.vertex.prepare.is_some(), "{variant}");
+        for point in spread(whole.inputs(), POINTS, 1) {
+            let expected = interpret::evaluate(&whole, &point);
+            let of_rest = stages.material.pixel_point(whole.inputs(), &point, |value| value);
+            let of_pixel = stages.vertex.pixel_point(stages.material.pixel.inputs(), &of_rest, |value| value);
+            assert_eq!(interpret::evaluate(&stages.vertex.pixel, &of_pixel), expected, "{variant} at {point:?}");
+            assert_eq!(interpret::evaluate(&stages.joined, &point), expected, "{variant} at {point:?}");
+        }
+        for language in Language::ALL {
+            let text = library(&shading, language);
+            judge_text(language, Form::Library, variant, &text).unwrap_or_else(|error| panic!("{error}\n{text}"));
+            for name in ["prepare_surface(", "vertex_surface(", "PreparedSurface", "VertexSurface"] {
+                assert!(text.contains(name), "{variant}: no {name} in\n{text}");
+            }
+        }
+    }
+}
+
+#[test]
+fn the_manifest_counts_operations_by_rate_and_says_what_is_interpolated() {
+    let folder = tempfile::tempdir().expect("a temporary folder can be made");
+    let text = UNIFORM.replace("roughness = \"pixel\"", "roughness = \"vertex\"") + "[emit]\nvertex = true\n";
+    std::fs::write(folder.path().join("scene.toml"), text).expect("the scene can be written");
+    let arguments = ["build", "scene.toml", "-o", "out", "--no-run", "--json", "--target", "wgsl,rust"];
+    let ran = run(PROGRAM, folder.path(), &arguments);
+    assert_eq!(ran.status, 0, "{}", ran.errors);
+    let manifest: Value = serde_json::from_str(&ran.output).expect("the manifest is JSON");
+    let rates = &manifest["rates"];
+    for kind in ["arithmetic", "roots", "transcendental", "fetches"] {
+        let of = |rate: &str| rates["by_rate"][rate][kind].as_u64();
+        let sum = ["material", "vertex", "pixel"].into_iter().filter_map(of).sum::<u64>();
+        assert_eq!(Some(sum), rates["whole"][kind].as_u64(), "{kind}: {rates}");
+    }
+    assert!(rates["emitted"] == true && rates["vertex"]["emitted"] == true, "{rates}");
+    let interpolated = rates["vertex"]["interpolated"].as_array().expect("a list");
+    assert!(interpolated.iter().any(|value| value["name"] == "alpha_squared"), "{rates}");
+    let checks = |target: usize| &manifest["targets"][target]["verdicts"][0]["checks"];
+    assert_eq!([checks(0), checks(1)], ["syntax and types", "syntax alone"]);
 }
 
 /// Single precision.

@@ -5,7 +5,7 @@ use std::path::PathBuf;
 use serde::Serialize;
 
 use crate::install::{GLSLANG, LAVAPIPE, RADV, Requirement, SPIRV_DIS, SPIRV_VAL, VULKAN_LOADER};
-use crate::judge::{NAGA_VERSION, glslang_version, spirv_tool_version};
+use crate::judge::{NAGA_VERSION, SYN_VERSION, glslang_version, spirv_tool_version};
 use crate::static_cost::StaticCompiler;
 use crate::vulkan::{Device, Driver, LAVAPIPE_MANIFEST, RADV_MANIFEST, manifests};
 
@@ -24,13 +24,20 @@ pub struct Finding {
     pub install: Option<String>,
 }
 
-/// Looks for naga, glslang, spirv-val, spirv-dis, the Vulkan loader, lavapipe and RADV, in that order.
+/// Looks for naga, syn, glslang, spirv-val, spirv-dis, the Vulkan loader, lavapipe and RADV, in that order.
 pub fn survey() -> Vec<Finding> {
     vec![
         Finding {
             name: "naga".to_owned(),
             found: true,
             version: Some(NAGA_VERSION.to_owned()),
+            location: Some(COMPILED_IN.to_owned()),
+            install: None,
+        },
+        Finding {
+            name: "syn".to_owned(),
+            found: true,
+            version: Some(SYN_VERSION.to_owned()),
             location: Some(COMPILED_IN.to_owned()),
             install: None,
         },

@@ -6,6 +6,7 @@
 //! | GLSL 4.40 to 4.60 | naga, glslang for Vulkan 1.1, spirv-val on the SPIR-V that glslang writes |
 //! | GLSL 3.30, ES 3.00 and other versions | glslang's classic front end, with linking |
 //! | SPIR-V | spirv-val for Vulkan 1.1 |
+//! | Rust | syn, which reads the syntax and no types |
 //!
 //! A refusal is a [`CheckError::Refused`](crate::CheckError::Refused) with the verdicts of all judges, so that a `?`
 //! never lets a refused text through.
@@ -15,6 +16,7 @@ mod glsl;
 mod glsl_source;
 mod glslang;
 mod naga_reader;
+mod rust;
 mod spirv;
 mod text;
 mod verdict;
@@ -22,6 +24,7 @@ mod wgsl;
 
 pub use file::{FILE_EXTENSIONS, judge_file};
 pub use glsl::{glsl_to_spirv, judge_glsl};
+pub use rust::judge_rust;
 pub use spirv::{assemble_spirv, disassemble, judge_spirv};
 pub use text::judge_text;
 pub use verdict::{Diagnostic, Judge, Stage, Verdict};
@@ -29,4 +32,5 @@ pub use wgsl::{judge_wgsl, wgsl_to_spirv};
 
 pub(crate) use glslang::version as glslang_version;
 pub(crate) use naga_reader::NAGA_VERSION;
+pub(crate) use rust::SYN_VERSION;
 pub(crate) use spirv::tool_version as spirv_tool_version;

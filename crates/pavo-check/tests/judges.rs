@@ -136,6 +136,15 @@ fn wrong_wgsl_is_refused_at_its_line() {
 }
 
 #[test]
+fn rust_is_judged_by_its_syntax() {
+    check_passes(Language::Rust, Form::Library, "pub fn square(x: f32) -> f32 {\n    x * x\n}\n", "syn");
+    let text = "pub fn f(x: f32) -> f32 {\n    x +\n}\n";
+    check_refused(Language::Rust, Form::Library, text, &["3: [syn] "]);
+    let verdicts = judge_text(Language::Rust, Form::Library, FILE, "").unwrap();
+    assert_eq!(serde_json::to_value(&verdicts).unwrap()[0]["checks"], "syntax alone");
+}
+
+#[test]
 fn wrong_glsl_is_refused_at_its_line_by_every_judge_that_reads_it() {
     let wrong = "color = vec4(missing, 1.0);";
     let text = fragment("#version 450\nlayout(location = 0)", wrong);

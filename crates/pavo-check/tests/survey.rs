@@ -6,7 +6,7 @@ use pavo_check::doctor::survey;
 fn every_tool_and_driver_of_the_tests_is_here() {
     let findings = survey();
     let names: Vec<&str> = findings.iter().map(|finding| finding.name.as_str()).collect();
-    assert_eq!(names, ["naga", "glslang", "spirv-val", "spirv-dis", "Vulkan loader", "lavapipe", "RADV"]);
+    assert_eq!(names, ["naga", "syn", "glslang", "spirv-val", "spirv-dis", "Vulkan loader", "lavapipe", "RADV"]);
     for finding in &findings {
         assert!(finding.found, "{} is missing: {}", finding.name, finding.install.as_deref().unwrap_or("?"));
         assert!(finding.install.is_none(), "{finding:?}");

@@ -50,11 +50,11 @@ impl<'a> Entry<'a> {
         let template = match options.language {
             Language::Wgsl => COST_WGSL,
             Language::Glsl450 => COST_GLSL,
-            Language::Glsl330 | Language::Essl300 => {
+            Language::Glsl330 | Language::Essl300 | Language::Rust => {
                 return Err(EmitError::NoCost { language: options.language.name() });
             }
         };
-        let mut names = Names::new(program, &options.prefix);
+        let mut names = Names::new(program, options);
         let count = program.input_components().div_ceil(LOCATION_SIZE);
         let locations = (0..count).map(|location| names.outer.fresh(&format!("varying_{location}"))).collect();
         let target = names.outer.fresh("fragment_color");

@@ -1,6 +1,6 @@
 //! The table of what differs between the languages.
 
-use crate::Language;
+use crate::{Form, Language};
 use pavo_shade::{Type, UnaryOp};
 
 /// How declarations are written.
@@ -10,6 +10,8 @@ pub enum Syntax {
     Wgsl,
     /// `float x = ..`, `float f(float x)`, `struct S { float x; };`.
     C,
+    /// `let x = ..`, `pub fn f(x: f32) -> f32`, `pub struct S { pub x: f32, }`, functions called as methods.
+    Rust,
 }
 
 /// A row of the table.
@@ -31,8 +33,10 @@ pub struct Dialect {
     pub inverse_sqrt: &'static str,
     /// The type of an index into a table.
     pub index_type: &'static str,
-    /// Whether there are compute shaders.
-    pub has_compute: bool,
+    /// The forms that are printed.
+    pub forms: &'static [Form],
+    /// What a comment begins with that documents what stands after it.
+    pub doc_comment: &'static str,
 }
 
 const ESSL_PREAMBLE: &str = "\
@@ -40,7 +44,7 @@ const ESSL_PREAMBLE: &str = "\
 precision highp float;
 ";
 
-static DIALECTS: [(Language, Dialect); 4] = [
+static DIALECTS: [(Language, Dialect); 5] = [
     (
         Language::Wgsl,
         Dialect {
@@ -52,7 +56,8 @@ static DIALECTS: [(Language, Dialect); 4] = [
             types: ["f32", "vec3f", "bool", "vec3<bool>"],
             inverse_sqrt: "inverseSqrt",
             index_type: "u32",
-            has_compute: true,
+            forms: &[Form::Library, Form::Compute, Form::Fragment],
+            doc_comment: "//",
         },
     ),
     (
@@ -66,7 +71,8 @@ static DIALECTS: [(Language, Dialect); 4] = [
             types: ["float", "vec3", "bool", "bvec3"],
             inverse_sqrt: "inversesqrt",
             index_type: "int",
-            has_compute: true,
+            forms: &[Form::Library, Form::Compute, Form::Fragment],
+            doc_comment: "//",
         },
     ),
     (
@@ -80,7 +86,8 @@ static DIALECTS: [(Language, Dialect); 4] = [
             types: ["float", "vec3", "bool", "bvec3"],
             inverse_sqrt: "inversesqrt",
             index_type: "int",
-            has_compute: false,
+            forms: &[Form::Library, Form::Fragment],
+            doc_comment: "//",
         },
     ),
     (
@@ -94,7 +101,24 @@ static DIALECTS: [(Language, Dialect); 4] = [
             types: ["float", "vec3", "bool", "bvec3"],
             inverse_sqrt: "inversesqrt",
             index_type: "int",
-            has_compute: false,
+            forms: &[Form::Library, Form::Fragment],
+            doc_comment: "//",
+        },
+    ),
+    (
+        Language::Rust,
+        Dialect {
+            name: "rust",
+            extension: "rs",
+            syntax: Syntax::Rust,
+            version: "",
+            preamble: "use glam::Vec3;\n",
+            types: ["f32", "Vec3", "bool", "glam::BVec3"],
+            // It has none: the printer writes `1.0 / x.sqrt()`.
+            inverse_sqrt: "",
+            index_type: "usize",
+            forms: &[Form::Library],
+            doc_comment: "///",
         },
     ),
 ];
@@ -136,8 +160,9 @@ impl Dialect {
     /// A local variable: its declaration with a value.
     pub fn declare(&self, ty: &str, name: &str, value: &str, mutable: bool) -> String {
         match (self.syntax, mutable) {
-            (Syntax::Wgsl, false) => format!("let {name} = {value};"),
+            (Syntax::Wgsl | Syntax::Rust, false) => format!("let {name} = {value};"),
             (Syntax::Wgsl, true) => format!("var {name} = {value};"),
+            (Syntax::Rust, true) => format!("let mut {name} = {value};"),
             (Syntax::C, _) => format!("{ty} {name} = {value};"),
         }
     }
@@ -148,7 +173,13 @@ impl Dialect {
         match self.syntax {
             Syntax::Wgsl => [format!("const {name} = array<{ty}, {rows}>("), ");".to_owned()],
             Syntax::C => [format!("const {ty} {name}[{rows}] = {ty}[{rows}]("), ");".to_owned()],
+            Syntax::Rust => [format!("static {name}: [{ty}; {rows}] = ["), "];".to_owned()],
         }
+    }
+
+    /// The name of a table as a constant.
+    pub fn table_name(&self, name: &str) -> String {
+        if self.syntax == Syntax::Rust { name.to_uppercase() } else { name.to_owned() }
     }
 
     /// A table as a storage buffer: vectors at steps of four numbers.
@@ -160,13 +191,14 @@ impl Dialect {
                 let block = format!("layout(std430, set = 0, binding = {binding}) readonly buffer {name}_buffer");
                 format!("{block} {{\n    {ty} {name}[];\n}};\n")
             }
+            Syntax::Rust => unreachable!("a library has its tables as constants"),
         }
     }
 
     /// A parameter, or a field of a struct without what ends it.
     pub fn typed(&self, ty: &str, name: &str) -> String {
         match self.syntax {
-            Syntax::Wgsl => format!("{name}: {ty}"),
+            Syntax::Wgsl | Syntax::Rust => format!("{name}: {ty}"),
             Syntax::C => format!("{ty} {name}"),
         }
     }

@@ -5,7 +5,7 @@ use crate::function::{Body, Context, body};
 use crate::literal::number;
 use crate::passing::structs_passed;
 use crate::text::{Names, Tables, functions, header};
-use crate::{EmitError, Language, Options, WORKGROUP_SIZE};
+use crate::{EmitError, Form, Language, Options, WORKGROUP_SIZE};
 use minijinja::{Environment, context};
 use pavo_shade::{Program, Type};
 
@@ -42,17 +42,22 @@ pub fn full_screen_triangle() -> &'static str {
 const GEOMETRY: [&str; 4] = ["normal", "light_direction", "view_direction", "n_dot_v"];
 
 pub fn compute(program: &Program, options: &Options) -> Result<String, EmitError> {
-    let dialect = Dialect::of(options.language);
-    if !dialect.has_compute {
-        return Err(EmitError::NoCompute { language: dialect.name });
-    }
+    let dialect = dialect_with(Form::Compute, options)?;
     let template = if dialect.syntax == Syntax::Wgsl { COMPUTE_WGSL } else { COMPUTE_GLSL };
     render("compute", template, program, options, &Sphere::default())
 }
 
 pub fn fragment(program: &Program, options: &Options, sphere: &Sphere) -> Result<String, EmitError> {
-    let template = if Dialect::of(options.language).syntax == Syntax::Wgsl { SPHERE_WGSL } else { SPHERE_GLSL };
+    let dialect = dialect_with(Form::Fragment, options)?;
+    let template = if dialect.syntax == Syntax::Wgsl { SPHERE_WGSL } else { SPHERE_GLSL };
     render("fragment", template, program, options, sphere)
+}
+
+/// The row of the language, if it has this form.
+fn dialect_with(form: Form, options: &Options) -> Result<&'static Dialect, EmitError> {
+    let dialect = Dialect::of(options.language);
+    let no_entry = EmitError::NoEntry { language: options.language, form };
+    if dialect.forms.contains(&form) { Ok(dialect) } else { Err(no_entry) }
 }
 
 fn render(
@@ -63,7 +68,7 @@ fn render(
     sphere: &Sphere,
 ) -> Result<String, EmitError> {
     let dialect = Dialect::of(options.language);
-    let names = Names::new(program, &options.prefix);
+    let names = Names::new(program, options);
     let main = main_body(program, options, &names);
     let mut offset = 0;
     let inputs: Vec<minijinja::Value> = program

@@ -5,6 +5,8 @@ use crate::dialect::{Dialect, Syntax};
 use crate::function::Local;
 use crate::literal::number;
 use crate::passing::PassedStruct;
+use crate::rust;
+use crate::text::PrintedTable;
 use pavo_shade::{BinaryOp, Comparison, Definition, Op, Type, UnaryOp};
 
 /// How tightly an expression binds.
@@ -21,7 +23,7 @@ pub enum Binding {
 }
 
 impl Binding {
-    fn tighter(self) -> Binding {
+    pub fn tighter(self) -> Binding {
         match self {
             Binding::Choice => Binding::Or,
             Binding::Or => Binding::And,
@@ -42,8 +44,8 @@ pub struct Expressions<'a> {
     pub locals: &'a [Local],
     /// The names of the called functions.
     pub functions: &'a [String],
-    /// The names of the program's tables.
-    pub tables: &'a [String],
+    /// The program's tables.
+    pub tables: &'a [PrintedTable],
     /// The fields of the structs that called functions return, empty where they return one value.
     pub fields: &'a [Vec<String>],
     /// The structs that each function takes in place of their fields.
@@ -59,12 +61,17 @@ impl Expressions<'_> {
     /// The text that computes a node, even where a name stands for it.
     pub fn computed(&self, index: u32) -> (String, Binding) {
         let node = &self.definition.nodes[index as usize];
+        if self.dialect.syntax == Syntax::Rust
+            && let Some(written) = self.in_rust(node)
+        {
+            return written;
+        }
         let call = |name: &str, operands: &[u32]| {
             let operands: Vec<String> = operands.iter().map(|&operand| self.whole(operand)).collect();
             (format!("{name}({})", operands.join(", ")), Binding::Primary)
         };
         match node.op {
-            Op::Literal(bits) => literal(f64::from_bits(bits)),
+            Op::Literal(bits) => literal(self.dialect, f64::from_bits(bits)),
             Op::Literal3(bits) => (vector(self.dialect, bits.map(f64::from_bits)), Binding::Primary),
             Op::Parameter(_) => (self.name(index), Binding::Primary),
             Op::Unary(op @ (UnaryOp::Negate | UnaryOp::Not), operand) => self.negation(op, operand, node.ty),
@@ -91,7 +98,7 @@ impl Expressions<'_> {
             Op::Splat(value) => call(self.dialect.type_name(Type::Vec3), &[value]),
             Op::Fetch(table, row) => {
                 let row = self.whole(row);
-                (format!("{}[{}({row})]", self.tables[table as usize], self.dialect.index_type), Binding::Primary)
+                (format!("{}[{}({row})]", self.tables[table as usize].name, self.dialect.index_type), Binding::Primary)
             }
             Op::Component(vector, component) => {
                 let component = ["x", "y", "z"][usize::from(component)];
@@ -102,7 +109,7 @@ impl Expressions<'_> {
         }
     }
 
-    fn at_least(&self, index: u32, binding: Binding) -> String {
+    pub fn at_least(&self, index: u32, binding: Binding) -> String {
         if let Local::Named { .. } = self.locals[index as usize] {
             return self.name(index);
         }
@@ -155,7 +162,8 @@ impl Expressions<'_> {
             && f64::from_bits(bits) < 0.0
         {
             let operator = if subtract { "+" } else { "-" };
-            let text = format!("{} {operator} {}", self.at_least(a, Binding::Sum), number(-f64::from_bits(bits)));
+            let positive = literal(self.dialect, -f64::from_bits(bits)).0;
+            let text = format!("{} {operator} {positive}", self.at_least(a, Binding::Sum));
             return (text, Binding::Sum);
         }
         self.infix(if subtract { "-" } else { "+" }, Binding::Sum, a, b)
@@ -176,7 +184,7 @@ impl Expressions<'_> {
                 let operand = |index: u32| self.at_least(index, Binding::Comparison);
                 (format!("{} {scalar} {}", operand(a), operand(b)), binding)
             }
-            (Syntax::Wgsl, _) => {
+            (Syntax::Wgsl | Syntax::Rust, _) => {
                 let operand = |index: u32| self.at_least(index, Binding::Primary);
                 (format!("{} {vector} {}", operand(a), operand(b)), binding)
             }
@@ -208,6 +216,7 @@ impl Expressions<'_> {
                 let text = format!("{} ? {} : {}", operand(condition), operand(if_true), operand(if_false));
                 (text, Binding::Choice)
             }
+            (Syntax::Rust, _) => unreachable!("Rust has its own way to choose"),
         }
     }
 }
@@ -215,11 +224,16 @@ impl Expressions<'_> {
 /// A constant vector.
 pub fn vector(dialect: &Dialect, components: [f64; 3]) -> String {
     let name = dialect.type_name(Type::Vec3);
-    let [x, y, z] = components.map(number);
-    if x == y && y == z { format!("{name}({x})") } else { format!("{name}({x}, {y}, {z})") }
+    let [x, y, z] = components.map(|component| literal(dialect, component).0);
+    match dialect.syntax {
+        Syntax::Rust => rust::vector(name, [&x, &y, &z]),
+        _ if x == y && y == z => format!("{name}({x})"),
+        _ => format!("{name}({x}, {y}, {z})"),
+    }
 }
 
 /// A constant number.
-pub fn literal(value: f64) -> (String, Binding) {
-    (number(value), if value < 0.0 { Binding::Unary } else { Binding::Primary })
+pub fn literal(dialect: &Dialect, value: f64) -> (String, Binding) {
+    let text = if dialect.syntax == Syntax::Rust { rust::number(value) } else { number(value) };
+    (text, if value.is_sign_negative() { Binding::Unary } else { Binding::Primary })
 }

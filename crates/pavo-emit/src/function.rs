@@ -4,7 +4,7 @@ use crate::dialect::{Dialect, Syntax};
 use crate::expression::{Expressions, literal, vector};
 use crate::namer::Namer;
 use crate::passing::PassedStruct;
-use crate::text::{Struct, WIDTH};
+use crate::text::{PrintedTable, Struct, WIDTH};
 use pavo_shade::{BinaryOp, Definition, Op, Output, ReturnValue, UnaryOp, operands};
 
 /// What stands for a node where it is used.
@@ -26,8 +26,8 @@ pub struct Context<'a> {
     pub dialect: &'a Dialect,
     /// The names of all functions of the program.
     pub functions: &'a [String],
-    /// The names of the program's tables.
-    pub tables: &'a [String],
+    /// The program's tables.
+    pub tables: &'a [PrintedTable],
     /// The structs they return, where they return several values.
     pub structs: &'a [Option<Struct>],
     /// The fields of these structs, empty where a function returns one value.
@@ -113,7 +113,7 @@ pub fn body(context: &Context<'_>, definition: &Definition, number: usize) -> Bo
 
 fn result_text(expressions: &Expressions<'_>, result: &Output) -> String {
     match result.value {
-        ReturnValue::Literal(value) => literal(value).0,
+        ReturnValue::Literal(value) => literal(expressions.dialect, value).0,
         ReturnValue::Literal3(value) => vector(expressions.dialect, value),
         ReturnValue::Node(index) => expressions.whole(index),
     }
@@ -137,13 +137,13 @@ fn accumulation(expressions: &Expressions<'_>, index: u32, previous: u32, name: 
 }
 
 /// How often each node is used.
-fn uses(definition: &Definition) -> Vec<usize> {
+fn uses(dialect: &Dialect, definition: &Definition) -> Vec<usize> {
     let mut uses = vec![0; definition.nodes.len()];
     let mut count = |index: u32| uses[index as usize] += 1;
     for node in &definition.nodes {
         match node.op {
             Op::Call(_, arguments) => definition.calls[arguments as usize].iter().copied().for_each(&mut count),
-            op => operands(op).for_each(&mut count),
+            _ => dialect.named_operands(definition, node).into_iter().for_each(&mut count),
         }
     }
     for result in &definition.results {
@@ -185,7 +185,7 @@ fn head_parameters(
 }
 
 fn locals(context: &Context<'_>, definition: &Definition, parameters: &[String], mut namer: Namer) -> Vec<Local> {
-    let uses = uses(definition);
+    let uses = uses(context.dialect, definition);
     let mut locals: Vec<Local> = Vec::new();
     for (index, node) in definition.nodes.iter().enumerate() {
         let returns_struct = |call: u32| match definition.nodes[call as usize].op {
@@ -201,7 +201,7 @@ fn locals(context: &Context<'_>, definition: &Definition, parameters: &[String],
             Op::Literal(_) | Op::Literal3(_) | Op::Component(..) => false,
             Op::Call(..) => returns_struct(index as u32),
             Op::Result(call, _) if returns_struct(call) => false,
-            _ => node.name.is_some() || uses[index] > 1,
+            _ => (node.name.is_some() && uses[index] > 0) || uses[index] > 1,
         };
         if !is_variable {
             locals.push(Local::Written);
@@ -306,11 +306,12 @@ pub fn head(dialect: &Dialect, name: &str, parameters: &[HeadParameter], result:
     let (before, after) = match dialect.syntax {
         Syntax::Wgsl => (format!("fn {name}("), format!(") -> {result} {{")),
         Syntax::C => (format!("{result} {name}("), ") {".to_owned()),
+        Syntax::Rust => (format!("pub fn {name}("), format!(") -> {result} {{")),
     };
     let line = format!("{before}{}{after}", typed.join(", "));
     if line.len() <= WIDTH {
         return line;
     }
-    let comma = if dialect.syntax == Syntax::Wgsl { "," } else { "" };
+    let comma = if dialect.syntax == Syntax::C { "" } else { "," };
     format!("{before}\n    {}{comma}\n{after}", typed.join(",\n    "))
 }

@@ -1,9 +1,10 @@
-//! Prints a shader graph as WGSL and GLSL.
+//! Prints a shader graph as WGSL, GLSL and Rust.
 //!
 //! One printer serves all languages; what differs between them stands in a table ([`dialect`]). The text is what a
 //! careful person would write: the names of the Rust source, a comment per function with meaning, units and source,
 //! and nothing that the program does not need. The same program gives the same bytes.
 
+mod comment;
 mod cost;
 pub mod dialect;
 mod entry;
@@ -13,7 +14,9 @@ mod lines;
 mod literal;
 mod namer;
 mod passing;
+mod rust;
 mod text;
+mod uniform;
 
 pub use dialect::Dialect;
 pub use entry::{Sphere, SphereInput, full_screen_triangle};
@@ -31,11 +34,14 @@ pub enum Language {
     Glsl330,
     /// GLSL ES 3.00.
     Essl300,
+    /// Rust with the vectors of glam 0.29 or newer: functions for the CPU.
+    Rust,
 }
 
 impl Language {
     /// All languages.
-    pub const ALL: [Language; 4] = [Language::Wgsl, Language::Glsl450, Language::Glsl330, Language::Essl300];
+    pub const ALL: [Language; 5] =
+        [Language::Wgsl, Language::Glsl450, Language::Glsl330, Language::Essl300, Language::Rust];
 
     /// The name as it is written on the command line and in scenes.
     pub fn name(self) -> &'static str {
@@ -55,6 +61,9 @@ pub enum Form {
 }
 
 impl Form {
+    /// All forms.
+    pub const ALL: [Form; 3] = [Form::Library, Form::Compute, Form::Fragment];
+
     /// The name as it is written on the command line.
     pub fn name(self) -> &'static str {
         match self {
@@ -85,10 +94,13 @@ pub struct Options {
 #[derive(Debug, Error)]
 pub enum EmitError {
     /// The language has no such entry point.
-    #[error("{language} has no compute shaders; use --form library or --form fragment, or --target wgsl or glsl450")]
-    NoCompute {
-        /// The name of the language.
-        language: &'static str,
+    #[error("{} has no {} shaders; use {}, or --target {}", .language.name(), .form.name(), forms_of(*.language),
+        languages_with(*.form))]
+    NoEntry {
+        /// The language.
+        language: Language,
+        /// The form.
+        form: Form,
     },
     /// The language has no entry point whose cost is counted.
     #[error("{language} is not compiled for a graphics card here; the cost is counted of wgsl and glsl450")]
@@ -104,6 +116,18 @@ pub enum EmitError {
         /// What is wrong with it.
         message: String,
     },
+}
+
+/// The forms of a language as they are asked for.
+fn forms_of(language: Language) -> String {
+    let forms: Vec<String> = Dialect::of(language).forms.iter().map(|form| format!("--form {}", form.name())).collect();
+    forms.join(" or ")
+}
+
+/// The languages that have a form.
+fn languages_with(form: Form) -> String {
+    let with = Language::ALL.into_iter().filter(|language| Dialect::of(*language).forms.contains(&form));
+    with.map(Language::name).collect::<Vec<_>>().join(" or ")
 }
 
 /// The functions of a program, with no entry point.
@@ -124,7 +148,7 @@ pub fn emit_compute(program: &Program, options: &Options) -> Result<String, Emit
 /// The functions of a program with a fragment entry that shades a sphere.
 ///
 /// # Errors
-/// If the template of the entry is broken.
+/// If the language has no fragment shaders, or the template of the entry is broken.
 pub fn emit_fragment(program: &Program, options: &Options, sphere: &Sphere) -> Result<String, EmitError> {
     entry::fragment(program, options, sphere)
 }

@@ -5,7 +5,11 @@ use std::sync::LazyLock;
 
 /// Reserved words and built-in functions of all languages, so that a name is the same in each.
 static RESERVED: LazyLock<HashSet<&'static str>> = LazyLock::new(|| {
-    let files = [include_str!("../data/reserved-wgsl.txt"), include_str!("../data/reserved-glsl.txt")];
+    let files = [
+        include_str!("../data/reserved-wgsl.txt"),
+        include_str!("../data/reserved-glsl.txt"),
+        include_str!("../data/reserved-rust.txt"),
+    ];
     files
         .iter()
         .flat_map(|text| text.lines())
@@ -76,8 +80,10 @@ mod tests {
     }
 
     #[test]
-    fn reserved_words_of_both_languages_are_known() {
-        for word in ["fn", "let", "override", "varying", "highp", "mix", "normalize", "active", "vec3f", "smoothstep"] {
+    fn reserved_words_of_all_languages_are_known() {
+        for word in
+            ["fn", "let", "override", "varying", "highp", "mix", "normalize", "active", "vec3f", "smoothstep", "dyn"]
+        {
             assert!(RESERVED.contains(word), "{word}");
         }
     }

@@ -1,13 +1,15 @@
 //! A program as text: header, structs, functions.
 
 use crate::Options;
+use crate::comment::{Paragraph, comment, doc_comment};
 use crate::dialect::{Dialect, Syntax};
 use crate::expression::vector;
 use crate::function::{self, Body, Context};
 use crate::lines::broken_line;
 use crate::namer::Namer;
 use crate::passing::structs_passed;
-use pavo_shade::{Definition, Program, Table, Type};
+use crate::rust;
+use pavo_shade::{Definition, PREPARED_SURFACE, Program, Table, Type};
 
 /// The width that lines are filled to.
 pub const WIDTH: usize = 100;
@@ -15,10 +17,17 @@ pub const WIDTH: usize = 100;
 /// The names that a program has outside of its functions.
 pub struct Names {
     pub functions: Vec<String>,
-    pub tables: Vec<String>,
+    pub tables: Vec<PrintedTable>,
     /// For each function, the struct that it returns and its fields; nothing where it returns one value.
     pub structs: Vec<Option<Struct>>,
     pub outer: Namer,
+}
+
+/// A table as it is printed.
+pub struct PrintedTable {
+    pub name: String,
+    /// How many rows it has.
+    pub rows: usize,
 }
 
 /// A struct as it is printed.
@@ -26,14 +35,22 @@ pub struct Names {
 pub struct Struct {
     pub name: String,
     pub fields: Vec<(String, Type, String)>,
+    /// Whether it holds what was prepared, for the pixels to read.
+    pub is_prepared: bool,
 }
 
 impl Names {
-    pub fn new(program: &Program, prefix: &str) -> Self {
+    pub fn new(program: &Program, options: &Options) -> Self {
+        let prefix = &options.prefix;
+        let dialect = Dialect::of(options.language);
         let mut outer = Namer::default();
         let functions: Vec<String> =
             program.functions().iter().map(|function| outer.fresh(&format!("{prefix}{}", function.name))).collect();
-        let tables = program.tables().iter().map(|table| outer.fresh(&format!("{prefix}{}", table.name))).collect();
+        let printed_table = |table: &Table| {
+            let name = outer.fresh(&dialect.table_name(&format!("{prefix}{}", table.name)));
+            PrintedTable { name, rows: table.rows.len() }
+        };
+        let tables = program.tables().iter().map(printed_table).collect();
         let mut known: Vec<Struct> = Vec::new();
         let mut structs = Vec::new();
         for (function, name) in program.functions().iter().zip(&functions) {
@@ -53,7 +70,8 @@ impl Names {
             };
             let same = known.iter().find(|other| other.fields == fields && other.name.starts_with(&wanted)).cloned();
             let printed = same.unwrap_or_else(|| {
-                let made = Struct { name: outer.fresh(&wanted), fields };
+                let is_prepared = function.result_type.as_deref() == Some(PREPARED_SURFACE);
+                let made = Struct { name: outer.fresh(&wanted), fields, is_prepared };
                 known.push(made.clone());
                 made
             });
@@ -72,14 +90,18 @@ impl Names {
 /// The functions of a program with a header and no entry point.
 pub fn library(program: &Program, options: &Options) -> String {
     let dialect = Dialect::of(options.language);
-    let names = Names::new(program, &options.prefix);
+    let names = Names::new(program, options);
     let mut text = header(options);
-    if !dialect.preamble.is_empty() {
+    let functions = functions(program, options, &names, Tables::Constants);
+    // Rust warns of what is imported for nothing.
+    let is_needed = dialect.syntax != Syntax::Rust || functions.contains(dialect.type_name(Type::Vec3));
+    if !dialect.preamble.is_empty() && is_needed {
         text.push('\n');
         text.push_str(dialect.preamble);
     }
-    text.push_str(&functions(program, options, &names, Tables::Constants));
-    text
+    text.push_str(&functions);
+    // Without a header nothing stands before the first line.
+    text.trim_start_matches('\n').to_owned()
 }
 
 /// Where a text has its tables.
@@ -110,11 +132,15 @@ pub fn functions(program: &Program, options: &Options, names: &Names, tables: Ta
         source_lines: options.source_lines,
     };
     let mut text = String::new();
-    for (index, (table, name)) in program.tables().iter().zip(&names.tables).enumerate() {
+    for (index, (table, PrintedTable { name, .. })) in program.tables().iter().zip(&names.tables).enumerate() {
         text.push('\n');
-        text.push_str(&comment(&Paragraph::of_doc(std::slice::from_ref(&table.doc))));
+        text.push_str(&doc_comment(dialect, &Paragraph::of_doc(dialect, std::slice::from_ref(&table.doc))));
         text.push_str(&match tables {
-            Tables::Constants => rows(dialect, table, name),
+            Tables::Constants => {
+                let rows = rows(dialect, table, name);
+                let before = if dialect.syntax == Syntax::Rust { rust::attributes(0, &rows) } else { String::new() };
+                before + &rows
+            }
             Tables::Buffers { first_binding } => dialect.table_buffer(name, first_binding + index),
         });
     }
@@ -139,9 +165,10 @@ fn rows(dialect: &Dialect, table: &Table, name: &str) -> String {
     let mut text = before;
     let mut column = WIDTH;
     for (index, row) in table.rows.iter().enumerate() {
-        let comma = if index + 1 < table.rows.len() { "," } else { "" };
+        let is_rust = dialect.syntax == Syntax::Rust;
+        let comma = if is_rust || index + 1 < table.rows.len() { "," } else { "" };
         let entry = vector(dialect, *row) + comma;
-        if column + 1 + entry.len() > WIDTH {
+        if is_rust || column + 1 + entry.len() > WIDTH {
             text.push_str("\n    ");
             column = 4;
         } else {
@@ -158,96 +185,81 @@ fn rows(dialect: &Dialect, table: &Table, name: &str) -> String {
 }
 
 fn structure(dialect: &Dialect, made: &Struct) -> String {
+    if dialect.syntax == Syntax::Rust {
+        return rust::structure(dialect, made);
+    }
+    let (end, close) = if dialect.syntax == Syntax::C { (";", "};\n") } else { (",", "}\n") };
     let mut text = format!("struct {} {{\n", made.name);
     for (name, ty, doc) in &made.fields {
-        if !doc.is_empty() {
-            text.push_str(&indent(&comment(&Paragraph::of_doc(std::slice::from_ref(doc)))));
-        }
-        let end = if dialect.syntax == Syntax::Wgsl { "," } else { ";" };
+        text.push_str(&field_doc(dialect, doc));
         text.push_str(&format!("    {}{end}\n", dialect.typed(dialect.type_name(*ty), name)));
     }
-    text.push_str(if dialect.syntax == Syntax::Wgsl { "}\n" } else { "};\n" });
-    text
+    text + close
+}
+
+/// The comment on a field, if there is something to say.
+pub fn field_doc(dialect: &Dialect, doc: &String) -> String {
+    if doc.is_empty() {
+        return String::new();
+    }
+    indent(&doc_comment(dialect, &Paragraph::of_doc(dialect, std::slice::from_ref(doc))))
 }
 
 fn function(context: &Context<'_>, definition: &Definition, index: usize) -> String {
     let Body { head, statements, results, .. } = function::body(context, definition, index);
-    let mut doc = Paragraph::of_doc(&definition.doc);
+    let dialect = context.dialect;
+    let mut doc = Paragraph::of_doc(dialect, &definition.doc);
     let documented: Vec<Paragraph> = head
         .iter()
         .filter(|parameter| !parameter.doc.is_empty())
-        .map(|parameter| format!("{}: {}", parameter.name, lower_first(&parameter.doc.replace('`', ""))))
-        .map(Paragraph::entry)
+        .map(|parameter| Paragraph::of_parameter(dialect, &parameter.name, &parameter.doc))
         .collect();
     if !doc.is_empty() && !documented.is_empty() {
-        doc.push(Paragraph { text: String::new(), hanging: "" });
+        doc.push(Paragraph::empty());
     }
     doc.extend(documented);
-    let (result, value) = match &context.structs[index] {
-        Some(made) => (made.name.clone(), construct(&made.name, &results)),
-        None => (context.dialect.type_name(definition.results[0].ty).to_owned(), results[0].clone()),
-    };
-    let mut text = comment(&doc);
-    text.push_str(&function::head(context.dialect, &context.functions[index], &head, &result));
+    let made = context.structs[index].as_ref();
+    let result = made.map_or(dialect.type_name(definition.results[0].ty), |made| &made.name);
+    let mut text = doc_comment(dialect, &doc);
+    let statements = finished(dialect, statements, made, results);
+    if dialect.syntax == Syntax::Rust {
+        text.push_str(&rust::attributes(head.len(), &statements.join("\n")));
+    }
+    text.push_str(&function::head(dialect, &context.functions[index], &head, result));
     text.push('\n');
-    for statement in statements.iter().chain([&format!("return {value};")]) {
-        let (code, place) = statement.split_at(statement.find(" // ").unwrap_or(statement.len()));
-        text.push_str(&indent(&(broken_line(code, WIDTH - 4) + place)));
+    for statement in statements {
+        let (code, place) = split_place(&statement);
+        if dialect.syntax == Syntax::Rust {
+            text.push_str(&rust::statement(code, place));
+        } else {
+            text.push_str(&indent(&(broken_line(code, WIDTH - 4) + place)));
+        }
     }
     text.push_str("}\n");
     text
 }
 
-/// A struct of its fields.
-fn construct(name: &str, fields: &[String]) -> String {
-    format!("{name}({})", fields.join(", "))
+/// A statement, and the comment on where it was written.
+pub fn split_place(statement: &str) -> (&str, &str) {
+    statement.split_at(statement.find(" // ").unwrap_or(statement.len()))
 }
 
-/// A paragraph of a comment.
-pub struct Paragraph {
-    text: String,
-    /// What its lines after the first begin with.
-    hanging: &'static str,
-}
-
-impl Paragraph {
-    /// An entry of a list: its further lines stand further in.
-    pub fn entry(text: String) -> Self {
-        Self { text, hanging: "    " }
+/// The statements of a function with what it returns.
+fn finished(
+    dialect: &Dialect,
+    mut statements: Vec<String>,
+    made: Option<&Struct>,
+    mut results: Vec<String>,
+) -> Vec<String> {
+    if dialect.syntax == Syntax::Rust {
+        return rust::finished(statements, made, results);
     }
-
-    /// The paragraphs of a doc comment: lines up to an empty one belong together. Marks of the documentation are left
-    /// out.
-    pub fn of_doc(lines: &[String]) -> Vec<Self> {
-        let mut paragraphs: Vec<Self> = Vec::new();
-        for block in lines.split(|line| line.is_empty()).filter(|block| !block.is_empty()) {
-            if !paragraphs.is_empty() {
-                paragraphs.push(Self { text: String::new(), hanging: "" });
-            }
-            paragraphs.push(Self { text: block.join(" ").replace('`', ""), hanging: "" });
-        }
-        paragraphs
-    }
-}
-
-/// Paragraphs as a comment, filled to the width of the text; an empty one is an empty line.
-pub fn comment(paragraphs: &[Paragraph]) -> String {
-    let mut text = String::new();
-    for paragraph in paragraphs {
-        let mut line = String::from("//");
-        for word in paragraph.text.split_whitespace() {
-            if line.len() + 1 + word.len() > WIDTH {
-                text.push_str(&line);
-                text.push('\n');
-                line = format!("//{}", paragraph.hanging);
-            }
-            line.push(' ');
-            line.push_str(word);
-        }
-        text.push_str(&line);
-        text.push('\n');
-    }
-    text
+    let value = match made {
+        Some(made) => format!("{}({})", made.name, results.join(", ")),
+        None => results.swap_remove(0),
+    };
+    statements.push(format!("return {value};"));
+    statements
 }
 
 /// The comment at the top of a text.
@@ -263,14 +275,4 @@ pub fn indent(text: &str) -> String {
 fn camel_case(name: &str) -> String {
     let words = name.split('_').filter(|word| !word.is_empty());
     words.map(|word| word[..1].to_ascii_uppercase() + &word[1..]).collect()
-}
-
-fn lower_first(text: &str) -> String {
-    let mut characters = text.chars();
-    match (characters.next(), characters.next()) {
-        (Some(first), Some(second)) if second.is_lowercase() || second == ' ' => {
-            first.to_lowercase().collect::<String>() + &text[first.len_utf8()..]
-        }
-        _ => text.to_owned(),
-    }
 }

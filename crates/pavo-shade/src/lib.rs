@@ -82,7 +82,7 @@ pub use graph::{BinaryOp, Comparison, Graph, Node, NodeId, Op, Type, UnaryOp};
 pub use operations::Operations;
 pub use pavo_shade_macros::shade;
 pub use program::{Definition, Output, Parameter, Program, ReturnValue, operands};
-pub use rates::{LEAST_SAVED, Prepared, Split, split};
+pub use rates::{LEAST_SAVED, OperationsByRate, PREPARED_SURFACE, Prepared, Split, Stages, split, stages};
 pub use real::{Lanes, Mask, Real, Scalar, Vector};
 pub use specialise::{LeftOut, Specialised, specialise};
 pub use table::Table;

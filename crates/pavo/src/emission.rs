@@ -25,11 +25,16 @@ impl From<Language> for Emission<'_> {
 
 /// The functions of a surface: its reflectance, its BRDF and, where the scene has punctual lights, the radiance under
 /// one. Where the scene asks for it and it saves something, what depends on the material alone is computed by a function
-/// `prepare_surface`, whose result the others take.
+/// `prepare_surface`, whose result the others take, and what depends on the vertices by `vertex_surface`, whose result is
+/// to be interpolated.
 pub fn library<'a>(shading: &Shading, emission: impl Into<Emission<'a>>) -> String {
     let quantity = library_quantity(shading.scene());
-    let program =
-        if shading.scene().is_prepared() { shading.split(quantity).joined } else { shading.program(quantity) };
+    let scene = shading.scene();
+    let program = match (scene.emit.vertex, scene.is_prepared()) {
+        (true, _) => shading.stages(quantity).joined,
+        (false, true) => shading.split(quantity).joined,
+        (false, false) => shading.program(quantity),
+    };
     pavo_emit::emit_library(&program, &options(shading, emission.into(), Form::Library, program.inputs()))
 }
 

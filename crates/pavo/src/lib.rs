@@ -21,6 +21,8 @@
 //! assert!(colour.iter().all(|channel| (-0.1..0.3).contains(channel)));
 //! let shader = pavo::library(&shading, pavo_emit::Language::Wgsl);
 //! assert!(shader.contains("fn shade_surface("));
+//! let module = pavo::library(&shading, pavo_emit::Language::Rust);
+//! assert!(module.contains("pub fn shade_surface("));
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 //!

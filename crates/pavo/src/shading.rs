@@ -12,7 +12,7 @@ use pavo_optics::surface::{brdf_of_reflectance, shade_surface, surface_brdf, sur
 use pavo_optics::{
     BaseKind, Directions, Film, Finish, Geometry, Layers, Light, Method, Specular, Surface, light::punctual_light,
 };
-use pavo_shade::{Graph, Input, LeftOut, Program, Rate, Scalar, Split, Vector, specialise, split};
+use pavo_shade::{Graph, Input, LeftOut, Program, Rate, Scalar, Split, Stages, Vector, specialise, split, stages};
 use pavo_spectra::{OpticalConstants, Point, Reference, Sensitivities, Stack};
 use rayon::prelude::*;
 use thiserror::Error;
@@ -179,7 +179,12 @@ impl Shading {
 
     /// The program of a quantity in two: what is run once a material, and what is run at each pixel.
     pub fn split(&self, quantity: ShadingQuantity) -> Split {
-        split(&self.program(quantity))
+        split(&self.program(quantity), Rate::Material)
+    }
+
+    /// The program of a quantity in three: what is run once a material, at each vertex, and at each pixel.
+    pub fn stages(&self, quantity: ShadingQuantity) -> Stages {
+        stages(&self.program(quantity))
     }
 
     fn rated<R>(&self, reader: R) -> Rated<'_, R> {

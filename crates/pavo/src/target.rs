@@ -17,11 +17,12 @@ pub enum Target {
 
 impl Target {
     /// All targets.
-    pub const ALL: [Target; 6] = [
+    pub const ALL: [Target; 7] = [
         Target::Text(Language::Wgsl),
         Target::Text(Language::Glsl450),
         Target::Text(Language::Glsl330),
         Target::Text(Language::Essl300),
+        Target::Text(Language::Rust),
         Target::Spirv,
         Target::SpirvAssembly,
     ];

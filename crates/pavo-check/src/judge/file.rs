@@ -4,13 +4,14 @@ use std::path::Path;
 
 use super::glsl::{judge, judge_glsl, read, required_version};
 use super::glsl_source::GlslVersion;
+use super::rust::judge_rust;
 use super::spirv::{assemble_spirv, judge_spirv, words_of_bytes};
 use super::verdict::{Judge, Stage, Verdict};
 use super::wgsl::judge_wgsl;
 use crate::CheckError;
 
 /// The extensions of the files that [`judge_file`] reads.
-pub const FILE_EXTENSIONS: [&str; 7] = ["wgsl", "glsl", "vert", "frag", "comp", "spv", "spvasm"];
+pub const FILE_EXTENSIONS: [&str; 8] = ["wgsl", "glsl", "vert", "frag", "comp", "spv", "spvasm", "rs"];
 
 /// Judges a file; its extension tells what it is.
 ///
@@ -21,6 +22,7 @@ pub const FILE_EXTENSIONS: [&str; 7] = ["wgsl", "glsl", "vert", "frag", "comp", 
 ///   vertex, anything else for fragment shaders.
 /// - `.spv`: a SPIR-V module.
 /// - `.spvasm`: assembled first.
+/// - `.rs`: a Rust module, by its syntax.
 ///
 /// # Errors
 /// [`CheckError::Refused`] when a judge refuses the file, [`CheckError::Unreadable`] and [`CheckError::UnknownKind`]
@@ -48,6 +50,7 @@ pub fn judge_file(path: impl AsRef<Path>) -> Result<Vec<Verdict>, CheckError> {
             let words = assemble_spirv(&file, &read_text(path)?)?;
             judge_spirv(&file, &words).map(|verdict| vec![verdict])
         }
+        Some("rs") => judge_rust(&file, &read_text(path)?),
         _ => {
             let expected = FILE_EXTENSIONS.map(|name| format!(".{name}")).join(", ");
             Err(CheckError::UnknownKind { path: path.to_owned(), expected })

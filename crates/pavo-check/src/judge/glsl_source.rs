@@ -20,10 +20,10 @@ impl GlslVersion {
     /// The version for Vulkan that libraries are completed to.
     pub const GLSL_450: GlslVersion = GlslVersion { number: 450, embedded: false };
 
-    /// The version of a language of the printer; `None` for WGSL.
+    /// The version of a language of the printer; `None` where it is no GLSL.
     pub fn of_language(language: Language) -> Option<GlslVersion> {
         match language {
-            Language::Wgsl => None,
+            Language::Wgsl | Language::Rust => None,
             Language::Glsl450 => Some(GlslVersion::GLSL_450),
             Language::Glsl330 => Some(GlslVersion { number: 330, embedded: false }),
             Language::Essl300 => Some(GlslVersion { number: 300, embedded: true }),

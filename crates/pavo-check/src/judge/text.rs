@@ -4,6 +4,7 @@ use pavo_emit::{Form, Language};
 
 use super::glsl::{judge, read, refusal, required_version};
 use super::glsl_source::GlslVersion;
+use super::rust::judge_rust;
 use super::verdict::{Stage, Verdict};
 use super::wgsl::judge_wgsl;
 use crate::CheckError;
@@ -21,6 +22,9 @@ const LIBRARY_STAGE: Stage = Stage::Fragment;
 /// [`CheckError::Refused`] with the verdicts of all judges when one refuses the text, [`CheckError::Missing`] when
 /// glslang or spirv-val is not installed.
 pub fn judge_text(language: Language, form: Form, file: &str, text: &str) -> Result<Vec<Verdict>, CheckError> {
+    if language == Language::Rust {
+        return judge_rust(file, text);
+    }
     let Some(expected) = GlslVersion::of_language(language) else {
         return judge_wgsl(Stage::of_form(form), file, text);
     };

@@ -3,6 +3,7 @@
 use std::fmt;
 
 use pavo_emit::Form;
+use serde::ser::SerializeStruct;
 use serde::{Serialize, Serializer};
 
 use crate::CheckError;
@@ -16,6 +17,8 @@ pub enum Judge {
     Glslang,
     /// spirv-val, the validator of SPIRV-Tools.
     SpirvVal,
+    /// syn, the parser of Rust that macros use.
+    Syn,
 }
 
 impl Judge {
@@ -25,6 +28,24 @@ impl Judge {
             Judge::Naga => "naga",
             Judge::Glslang => "glslang",
             Judge::SpirvVal => "spirv-val",
+            Judge::Syn => "syn",
+        }
+    }
+
+    /// The name, and what it checks where that is less than one expects.
+    pub fn described(self) -> String {
+        match self {
+            Judge::Syn => format!("{} ({})", self.name(), self.checks()),
+            _ => self.name().to_owned(),
+        }
+    }
+
+    /// What it checks.
+    pub fn checks(self) -> &'static str {
+        match self {
+            Judge::Naga | Judge::Glslang => "syntax and types",
+            Judge::SpirvVal => "validity for Vulkan 1.1",
+            Judge::Syn => "syntax alone",
         }
     }
 }
@@ -70,8 +91,8 @@ impl fmt::Display for Diagnostic {
     }
 }
 
-/// The answer of one judge about one input.
-#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+/// The answer of one judge about one input. In JSON it says what the judge checks, too.
+#[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Verdict {
     /// Who judged.
     pub judge: Judge,
@@ -81,6 +102,18 @@ pub struct Verdict {
     pub passed: bool,
     /// What the judge had to say: the errors of a refusal, the warnings of a pass.
     pub diagnostics: Vec<Diagnostic>,
+}
+
+impl Serialize for Verdict {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        let mut fields = serializer.serialize_struct("Verdict", 5)?;
+        fields.serialize_field("judge", &self.judge)?;
+        fields.serialize_field("version", &self.version)?;
+        fields.serialize_field("checks", self.judge.checks())?;
+        fields.serialize_field("passed", &self.passed)?;
+        fields.serialize_field("diagnostics", &self.diagnostics)?;
+        fields.end()
+    }
 }
 
 impl Verdict {

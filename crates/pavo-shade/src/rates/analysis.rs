@@ -1,4 +1,4 @@
-//! Which values depend on the material alone.
+//! Which values change as rarely as a rate says.
 
 use crate::function::Rate;
 use crate::graph::Op;
@@ -8,12 +8,12 @@ use std::collections::BTreeSet;
 /// The values of a program by their rate. The body counts as a function after all others.
 ///
 /// A function that is called at several places has one set of rates, the highest over all calls, so that it stays one
-/// function. A call whose arguments all depend on the material alone does not count: it is a value of the material as
-/// a whole.
+/// function. A call whose arguments are all rare does not count: it is a rare value as a whole.
 pub struct Analysis {
-    /// Whether each node of each function depends on the material alone, in each call that counts.
-    pub is_material: Vec<Vec<bool>>,
-    /// Whether the function is called with something that depends on more than the material.
+    /// Whether each node of each function is rare, in each call that counts: it depends on nothing more frequent than
+    /// the rate.
+    pub is_rare: Vec<Vec<bool>>,
+    /// Whether the function is called with something that is not rare.
     pub is_mixed: Vec<bool>,
 }
 
@@ -23,7 +23,8 @@ pub fn definition(program: &Program, function: usize) -> &Definition {
 }
 
 impl Analysis {
-    pub fn of(program: &Program) -> Self {
+    /// The values that are as rare as a rate.
+    pub fn of(program: &Program, rate: Rate) -> Self {
         let count = program.functions().len() + 1;
         let mut depends: Vec<Vec<BTreeSet<u32>>> = Vec::new();
         for function in 0..count {
@@ -31,38 +32,38 @@ impl Analysis {
             depends.push(of_nodes);
         }
         let mut is_mixed = vec![false; count];
-        let mut is_pixel: Vec<Vec<bool>> =
+        let mut is_frequent: Vec<Vec<bool>> =
             (0..count).map(|function| vec![false; definition(program, function).parameters.len()]).collect();
         is_mixed[count - 1] = true;
-        is_pixel[count - 1] = program.inputs().iter().map(|input| input.rate != Rate::Material).collect();
-        let mut is_material = vec![Vec::new(); count];
+        is_frequent[count - 1] = program.inputs().iter().map(|input| input.rate > rate).collect();
+        let mut is_rare = vec![Vec::new(); count];
         for function in (0..count).rev() {
-            let is_material_node = |depends: &BTreeSet<u32>| {
-                is_mixed[function] && depends.iter().all(|&parameter| !is_pixel[function][parameter as usize])
+            let is_rare_node = |depends: &BTreeSet<u32>| {
+                is_mixed[function] && depends.iter().all(|&parameter| !is_frequent[function][parameter as usize])
             };
-            let material: Vec<bool> = depends[function].iter().map(is_material_node).collect();
+            let rare: Vec<bool> = depends[function].iter().map(is_rare_node).collect();
             if is_mixed[function] {
                 let definition = definition(program, function);
                 for node in &definition.nodes {
                     let Op::Call(callee, call) = node.op else { continue };
                     let arguments = &definition.calls[call as usize];
-                    if arguments.iter().all(|&argument| material[argument as usize]) {
+                    if arguments.iter().all(|&argument| rare[argument as usize]) {
                         continue;
                     }
                     is_mixed[callee as usize] = true;
-                    for (pixel, &argument) in is_pixel[callee as usize].iter_mut().zip(arguments) {
-                        *pixel |= !material[argument as usize];
+                    for (frequent, &argument) in is_frequent[callee as usize].iter_mut().zip(arguments) {
+                        *frequent |= !rare[argument as usize];
                     }
                 }
             }
-            is_material[function] = material;
+            is_rare[function] = rare;
         }
-        Self { is_material, is_mixed }
+        Self { is_rare, is_mixed }
     }
 
-    /// Whether a call has arguments that depend on more than the material.
+    /// Whether a call has arguments that are not rare.
     pub fn is_mixed_call(&self, function: usize, arguments: &[u32]) -> bool {
-        arguments.iter().any(|&argument| !self.is_material[function][argument as usize])
+        arguments.iter().any(|&argument| !self.is_rare[function][argument as usize])
     }
 }
 

@@ -17,8 +17,9 @@ use std::collections::HashSet;
 /// The values that are passed: the function (or the body, after all others) and the node.
 pub type Cut = HashSet<(usize, u32)>;
 
-/// The values whose passing saves the most.
-pub fn cut(program: &Program, analysis: &Analysis, contexts: &[Context<'_>]) -> Cut {
+/// The values whose passing saves the most, of those that are rare and not rarer still: what is given anyway is not passed
+/// once more.
+pub fn cut(program: &Program, analysis: &Analysis, rarer: Option<&Analysis>, contexts: &[Context<'_>]) -> Cut {
     let count = program.functions().len() + 1;
     let mut first = Vec::new();
     let mut size = 0;
@@ -41,7 +42,9 @@ pub fn cut(program: &Program, analysis: &Analysis, contexts: &[Context<'_>]) -> 
         let of_function: Vec<&Context<'_>> = contexts.iter().filter(|context| context.function == function).collect();
         let definition = definition(program, function);
         for (node, index) in definition.nodes.iter().zip(0_u32..) {
-            let price = price(&of_function, analysis.is_material[function][index as usize], node.op, node.ty, index);
+            let is_at = |analysis: &Analysis| analysis.is_mixed[function] && analysis.is_rare[function][index as usize];
+            let is_passable = is_at(analysis) && !rarer.is_some_and(is_at);
+            let price = price(&of_function, is_passable, node.op, node.ty, index);
             network.edge(needed(function, index), computed(function, index), price.unwrap_or(UNLIMITED));
             if price.is_some() {
                 prices.push((function, index));
@@ -101,13 +104,13 @@ fn parameters(program: &Program, function: usize) -> impl Iterator<Item = (u32, 
 }
 
 /// What it costs to pass a value to all contexts of its function, where it can be passed and is more than a name.
-fn price(contexts: &[&Context<'_>], is_material: bool, op: Op, ty: Type, node: u32) -> Option<u64> {
+fn price(contexts: &[&Context<'_>], is_passable: bool, op: Op, ty: Type, node: u32) -> Option<u64> {
     let numbers = match ty {
         Type::Scalar => 1,
         Type::Vec3 => 3,
         _ => return None,
     };
-    if !is_material || matches!(op, Op::Literal(_) | Op::Literal3(_) | Op::Parameter(_)) {
+    if !is_passable || matches!(op, Op::Literal(_) | Op::Literal3(_) | Op::Parameter(_)) {
         return None;
     }
     let mut different = HashSet::new();

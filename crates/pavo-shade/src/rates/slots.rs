@@ -2,6 +2,7 @@
 
 use super::analysis::definition;
 use super::cut::Cut;
+use super::part::Part;
 use super::trace::Context;
 use crate::expr::Expr;
 use crate::graph::{BinaryOp, FunctionParameter, NodeId, Op, Type, UnaryOp};
@@ -19,15 +20,17 @@ pub(crate) struct Slot {
 
 impl Slot {
     /// The parameter of a function that takes so many of them.
-    pub fn parameter(&self, count: usize) -> FunctionParameter {
-        let leaf = LeafInfo { name: self.name.clone(), doc: "prepared once for the material".to_owned() };
-        let whole = (count > 1).then(|| ("prepared".to_owned(), "what was prepared for the material".to_owned()));
+    pub fn parameter(&self, part: &Part, count: usize) -> FunctionParameter {
+        let leaf = LeafInfo { name: self.name.clone(), doc: part.value_doc.to_owned() };
+        let whole = (count > 1).then(|| (part.parameter.to_owned(), part.parameter_doc.to_owned()));
         FunctionParameter { leaf, ty: self.ty, whole }
     }
 }
 
 /// The further parameters of all functions, and what is passed for them.
 pub(crate) struct Slots {
+    /// The part that computes them.
+    pub part: &'static Part,
     /// The slots of each function, those of the body last.
     pub of_function: Vec<Vec<Slot>>,
     /// The slot that stands for a node: by function and node.
@@ -45,9 +48,14 @@ fn identity(value: Expr<'_>) -> NodeId {
 }
 
 /// The slots for these passed values, and for each slot of the body its value as it was traced.
-pub fn slots<'g>(program: &Program, cut: &Cut, contexts: &[Context<'g>]) -> (Slots, Vec<Expr<'g>>) {
+pub fn slots<'g>(
+    program: &Program,
+    part: &'static Part,
+    cut: &Cut,
+    contexts: &[Context<'g>],
+) -> (Slots, Vec<Expr<'g>>) {
     let body = program.functions().len();
-    let mut slots = Slots { of_function: Vec::new(), own: HashMap::new(), passed: HashMap::new() };
+    let mut slots = Slots { part, of_function: Vec::new(), own: HashMap::new(), passed: HashMap::new() };
     // For each context, the values of the slots of its function.
     let mut values: Vec<Vec<Expr<'g>>> = vec![Vec::new(); contexts.len()];
     for function in 0..=body {

@@ -1,4 +1,4 @@
-//! The values of the material, recorded call by call: calls that mix rates are written out, the others stay calls.
+//! The rare values, recorded call by call: calls that mix rates are written out, the others stay calls.
 
 use super::analysis::{Analysis, definition};
 use crate::expr::{Expr, ExprMask};
@@ -13,7 +13,7 @@ use std::collections::HashMap;
 pub struct Context<'g> {
     /// Its number.
     pub function: usize,
-    /// What depends on the material alone, by node; the rest is absent.
+    /// What is rare, by node; the rest is absent.
     pub values: Vec<Replayed<'g>>,
     /// The contexts of the calls that mix rates, by node.
     pub calls: HashMap<u32, usize>,
@@ -28,7 +28,7 @@ struct Tracer<'a, 'g> {
     contexts: Vec<Context<'g>>,
 }
 
-/// All contexts of a program, callees before callers, given the inputs of the material (others are absent).
+/// All contexts of a program, callees before callers, given the rare inputs (others are absent).
 pub fn trace<'g>(
     program: &Program,
     analysis: &Analysis,

@@ -158,9 +158,9 @@ impl<'a, 'g> Replay<'a, 'g> {
                     self.graph.parameter(function, FunctionParameter { leaf, ty: parameter.ty, whole })
                 });
             }
-            let slots = self.slots.map_or(&[][..], |slots| slots.of_function[callee as usize].as_slice());
-            let prepared_inside: Option<Vec<Expr<'g>>> = prepared.map(|_| {
-                let parameters = slots.iter().map(|slot| slot.parameter(slots.len()));
+            let prepared_inside: Option<Vec<Expr<'g>>> = prepared.zip(self.slots).map(|(_, slots)| {
+                let of_function = &slots.of_function[callee as usize];
+                let parameters = of_function.iter().map(|slot| slot.parameter(slots.part, of_function.len()));
                 parameters.map(|parameter| self.graph.parameter(function, parameter)).collect()
             });
             let values = self.nodes(callee as usize, definition, &inside, prepared_inside.as_deref());

@@ -24,7 +24,7 @@ Exit status: 0 fine, 1 a check failed, 2 bad input, 3 something needed is missin
 /// Thin-film iridescence shaders, generated and proven.
 ///
 /// A scene file says what a surface is made of; out come WGSL, GLSL and SPIR-V, judged by naga, glslang and SPIRV-Tools
-/// and run on lavapipe against the CPU evaluation.
+/// and run on lavapipe against the CPU evaluation, and Rust for the CPU.
 #[derive(Debug, Parser)]
 #[command(name = "pavo", version, after_help = EXAMPLES, max_term_width = 100)]
 pub struct Arguments {
@@ -83,7 +83,7 @@ pub struct Build {
 pub struct Emit {
     /// The scene file.
     pub scene: PathBuf,
-    /// What to emit: wgsl, glsl450, glsl330, essl300, spirv, spirv-asm.
+    /// What to emit: wgsl, glsl450, glsl330, essl300, rust, spirv, spirv-asm.
     #[arg(long, value_parser = target)]
     pub target: Target,
     /// The variant [default: that of the scene].

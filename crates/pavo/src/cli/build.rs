@@ -141,7 +141,7 @@ fn write_all(folder: &Path, emitted: &[Emitted], manifest: &str, vectors: &[u8])
 fn report(folder: &Path, manifest: &Manifest<'_>, emitted: &[Emitted]) -> String {
     let mut text = format!("{}, {}\n\n", manifest.scene.name, manifest.variant);
     for shader in emitted {
-        let judges: Vec<&str> = shader.verdicts.iter().map(|verdict| verdict.judge.name()).collect();
+        let judges: Vec<String> = shader.verdicts.iter().map(|verdict| verdict.judge.described()).collect();
         let path = folder.join(&shader.file);
         text.push_str(&format!(
             "  {:<10} passed by {:<28} {}\n",
@@ -179,6 +179,15 @@ fn report(folder: &Path, manifest: &Manifest<'_>, emitted: &[Emitted]) -> String
             "\nPrepared once a material: {}. Each pixel is spared {} operations.\n",
             names.join(", "),
             manifest.rates.saved_per_pixel.weight()
+        ));
+    }
+    if manifest.rates.vertex.emitted {
+        let names: Vec<&str> = manifest.rates.vertex.interpolated.iter().map(PreparedRow::name).collect();
+        text.push_str(&format!(
+            "\nComputed at each vertex: {}. Each pixel is spared {} more operations; interpolated values are \
+             approximations.\n",
+            names.join(", "),
+            manifest.rates.vertex.saved_per_pixel.weight()
         ));
     }
     let reference = &manifest.against_reference;

@@ -27,7 +27,7 @@ pub fn run(arguments: &arguments::Check) -> Result<(), Failure> {
     }
     let mut text = String::new();
     for (file, verdicts) in &judged {
-        let names: Vec<&str> = verdicts.iter().map(|verdict| verdict.judge.name()).collect();
+        let names: Vec<String> = verdicts.iter().map(|verdict| verdict.judge.described()).collect();
         text.push_str(&format!("{file}: passed by {}\n", names.join(", ")));
         for diagnostic in verdicts.iter().flat_map(|verdict| &verdict.diagnostics) {
             text.push_str(&format!("  {diagnostic}\n"));

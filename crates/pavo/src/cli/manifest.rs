@@ -9,7 +9,7 @@ use crate::scene::Scene;
 use crate::shading::Shading;
 use crate::statistics::Difference;
 use pavo_check::{DeviceDescription, Verdict};
-use pavo_shade::{Input, LeftOut, Operations, Prepared, Program};
+use pavo_shade::{Input, LeftOut, Operations, OperationsByRate, Prepared, Program, Split, Stages, stages};
 use serde::Serialize;
 
 /// What is written as `manifest.json`.
@@ -63,10 +63,12 @@ impl From<&Input> for InputRow {
     }
 }
 
-/// The functions in two parts.
+/// The functions in parts, by how often they are run.
 #[derive(Serialize)]
 pub struct Rates {
-    /// Whether the functions were emitted so.
+    /// Operations of one evaluation of the whole by the rate of what they depend on.
+    pub by_rate: OperationsByRate,
+    /// Whether the functions were emitted with a part that is run once a material.
     pub emitted: bool,
     /// The values that are prepared once a material.
     pub prepared: Vec<PreparedRow>,
@@ -76,13 +78,40 @@ pub struct Rates {
     pub prepare: Operations,
     /// Operations that each pixel is spared.
     pub saved_per_pixel: Operations,
+    /// What can be computed at the vertices of what is left.
+    pub vertex: VertexRates,
 }
 
-/// A prepared value.
+/// The part that is run at each vertex.
+#[derive(Serialize)]
+pub struct VertexRates {
+    /// Whether the functions were emitted so.
+    pub emitted: bool,
+    /// The values that are interpolated.
+    pub interpolated: Vec<PreparedRow>,
+    /// Operations of the part that is run at each vertex.
+    pub operations: Operations,
+    /// Operations that each pixel is spared besides those of the material.
+    pub saved_per_pixel: Operations,
+    /// How right it is.
+    pub note: &'static str,
+}
+
+/// What interpolation does to the values of the vertices.
+const INTERPOLATED: &str =
+    "interpolated values approximate what a pixel would compute; the errors in this manifest are those without it";
+
+/// A value that is passed from one part to the next.
 #[derive(Serialize)]
 pub struct PreparedRow {
     name: String,
     components: usize,
+}
+
+impl From<&Prepared> for PreparedRow {
+    fn from(prepared: &Prepared) -> Self {
+        Self { name: prepared.name.clone(), components: prepared.components() }
+    }
 }
 
 impl PreparedRow {
@@ -93,17 +122,27 @@ impl PreparedRow {
 }
 
 impl Rates {
-    /// The split of what a library is of.
+    /// The parts of what a library is of.
     pub fn of(shading: &Shading) -> Self {
         let quantity = library_quantity(shading.scene());
-        let split = shading.split(quantity);
-        let row = |prepared: &Prepared| PreparedRow { name: prepared.name.clone(), components: prepared.components() };
+        let whole = shading.program(quantity);
+        let Stages { material, vertex, .. } = stages(&whole);
+        let rows = |split: &Split| split.prepared.iter().map(PreparedRow::from).collect();
+        let operations = |split: &Split| split.prepare.as_ref().map_or_else(Operations::default, Program::operations);
         Self {
-            emitted: shading.scene().is_prepared() && split.prepare.is_some(),
-            prepared: split.prepared.iter().map(row).collect(),
-            whole: shading.program(quantity).operations(),
-            prepare: split.prepare.as_ref().map_or_else(Operations::default, Program::operations),
-            saved_per_pixel: split.saved,
+            by_rate: whole.operations_by_rate(),
+            emitted: shading.scene().is_prepared() && material.prepare.is_some(),
+            prepared: rows(&material),
+            whole: whole.operations(),
+            prepare: operations(&material),
+            saved_per_pixel: material.saved,
+            vertex: VertexRates {
+                emitted: shading.scene().emit.vertex && vertex.prepare.is_some(),
+                interpolated: rows(&vertex),
+                operations: operations(&vertex),
+                saved_per_pixel: vertex.saved,
+                note: INTERPOLATED,
+            },
         }
     }
 }

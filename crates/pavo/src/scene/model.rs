@@ -97,9 +97,9 @@ impl Scene {
     }
 
     /// Whether the functions come in two parts, one of which is run once a material: the scene says what is uniform, or
-    /// asks for it by [`Emit::prepare`].
+    /// asks for it by [`Emit::prepare`] or [`Emit::vertex`].
     pub fn is_prepared(&self) -> bool {
-        self.emit.prepare || !self.rates.is_empty()
+        self.emit.prepare || self.emit.vertex || !self.rates.is_empty()
     }
 }
 
@@ -356,6 +356,9 @@ pub struct Emit {
     /// Whether what depends on the material alone is computed by a function of its own, once for all pixels. A scene
     /// that gives [`Scene::rates`] asks for this by them.
     pub prepare: bool,
+    /// Whether what changes with the vertices, and with nothing more frequent, is computed by a function of its own and
+    /// interpolated. Between the vertices that is an approximation, so that it is only done where it is asked for.
+    pub vertex: bool,
 }
 
 impl Default for Emit {
@@ -366,6 +369,7 @@ impl Default for Emit {
             variant: DEFAULT_VARIANT.to_owned(),
             prefix: String::new(),
             prepare: false,
+            vertex: false,
         }
     }
 }

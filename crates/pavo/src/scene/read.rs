@@ -264,5 +264,6 @@ fn read_emit(table: &Table<'_>) -> Checked<Emit> {
         variant: table.string("variant")?.map_or(default.variant, str::to_owned),
         prefix: table.string("prefix")?.map_or(default.prefix, str::to_owned),
         prepare: table.boolean("prepare")?.unwrap_or(default.prepare),
+        vertex: table.boolean("vertex")?.unwrap_or(default.vertex),
     })
 }

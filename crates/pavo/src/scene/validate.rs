@@ -1,5 +1,7 @@
 //! What the values of a scene must satisfy, whether it came from a file or was built in Rust.
 
+use pavo_shade::Rate;
+
 use super::error::SceneError;
 use super::fault::{Checked, Fault};
 use super::model::{Base, ColourQuantity, Emit, FilmMedium, IlluminantSource, Quantity, Scene, Surface, VisibilityK};
@@ -44,6 +46,7 @@ pub(super) fn check(scene: &Scene) -> Checked<()> {
         check_number("budget.max_delta_e", max_delta_e, &DELTA_E_LIMITS)?;
     }
     check_rates(scene)?;
+    check_vertex(scene)?;
     check_emit(&scene.emit)
 }
 
@@ -268,6 +271,16 @@ fn given(scene: &Scene, name: &str) -> Option<Given> {
         "light_color" | "light_intensity" => light,
         _ => return None,
     })
+}
+
+/// Values at the vertices need an input there.
+fn check_vertex(scene: &Scene) -> Checked<()> {
+    if !scene.emit.vertex || scene.rates.values().any(|rate| *rate == Rate::Vertex) {
+        return Ok(());
+    }
+    let message = "`emit.vertex` asks for values at the vertices, but no input changes there";
+    let help = "say which input does, as in `[rates]` with `thickness_nm = \"vertex\"`, or leave `vertex` out";
+    Err(Fault::at("emit.vertex", "no input at the vertices", message, help))
 }
 
 fn check_emit(emit: &Emit) -> Checked<()> {

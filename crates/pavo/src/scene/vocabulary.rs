@@ -16,7 +16,7 @@ pub const METALS: &[&str] = &pavo_spectra::OpticalConstants::ABSORBING_NAMES;
 pub const FILM_MATERIALS: &[&str] = &pavo_spectra::OpticalConstants::DIELECTRIC_NAMES;
 
 /// The languages that can be emitted.
-pub const TARGETS: &[&str] = &["wgsl", "glsl450", "glsl330", "essl300", "spirv", "spirv-asm"];
+pub const TARGETS: &[&str] = &["wgsl", "glsl450", "glsl330", "essl300", "rust", "spirv", "spirv-asm"];
 
 /// The languages that are emitted when a scene does not say.
 pub const DEFAULT_TARGETS: &[&str] = &["wgsl", "glsl450", "essl300", "spirv"];
@@ -74,7 +74,7 @@ pub(super) const TABLES: &[(&str, &[&str])] = &[
     ("budget", &["max_delta_e"]),
     // Its keys are names of inputs, which are checked where they are read.
     ("rates", &[]),
-    ("emit", &["targets", "variant", "prefix", "prepare"]),
+    ("emit", &["targets", "variant", "prefix", "prepare", "vertex"]),
 ];
 
 /// Words that people write for one of ours and that no edit distance would find.
@@ -109,6 +109,7 @@ pub(super) const ALIASES: &[(&str, &str)] = &[
     ("webgl2", "essl300"),
     ("webgpu", "wgsl"),
     ("vulkan", "spirv"),
+    ("rs", "rust"),
 ];
 
 /// What bounds a number of the scene, in the words of the message.

@@ -52,6 +52,7 @@ fn a_scene_in_full_is_read_key_by_key() {
         variant = "exact"
         prefix = "film_2_"
         prepare = true
+        vertex = true
     "#;
     let expected = Scene {
         name: "Full_1".to_owned(),
@@ -82,6 +83,7 @@ fn a_scene_in_full_is_read_key_by_key() {
             variant: "exact".to_owned(),
             prefix: "film_2_".to_owned(),
             prepare: true,
+            vertex: true,
         },
     };
     assert_eq!(read(text), expected);
@@ -229,6 +231,7 @@ fn a_scene_built_in_rust_is_held_to_the_same_rules() {
             Scene { rates: BTreeMap::from([("base_ior".to_owned(), Rate::Pixel)]), ..Scene::new("x", glass.clone()) },
             "rates.base_ior",
         ),
+        (Scene { emit: Emit { vertex: true, ..Emit::default() }, ..Scene::new("x", glass.clone()) }, "emit.vertex"),
         (Scene { emit: Emit { targets: Vec::new(), ..Emit::default() }, ..Scene::new("x", glass) }, "emit.targets"),
     ];
     for (scene, key) in cases {
