@@ -1,0 +1,12 @@
+//! The lit sphere of the fragment entry as a picture: rendered on lavapipe, or evaluated on the CPU.
+
+mod display;
+mod evaluated;
+mod rendered;
+
+pub use display::{Display, bytes};
+pub use evaluated::{Evaluation, evaluate};
+pub use rendered::{is_renderable, render};
+
+/// Samples a side that make up a pixel.
+const OVERSAMPLING: u32 = 2;
