@@ -9,6 +9,9 @@ use super::sources::Source;
 use super::sphere::{Display, bytes, is_renderable, render};
 use pavo_check::Device;
 
+/// Samples a side that make up a pixel.
+const OVERSAMPLING: u32 = 2;
+
 /// Renders the sphere and writes the picture.
 pub fn run(arguments: &arguments::Preview) -> Result<(), Failure> {
     let source = Source::load(&arguments.scene, arguments.variant.as_deref())?;
@@ -23,9 +26,9 @@ pub fn run(arguments: &arguments::Preview) -> Result<(), Failure> {
     }
     let progress = Progress::start();
     progress.step("rendering on lavapipe");
-    let samples = render(&source, &Device::lavapipe()?, arguments.size)?;
+    let samples = render(&source, &Device::lavapipe()?, arguments.size * OVERSAMPLING)?;
     let space = source.shading.sensitivities().space();
-    let pixels = Display::of(&samples, space).pixels(&samples, arguments.size);
+    let pixels = Display::of(&samples, space).pixels(&samples, arguments.size, OVERSAMPLING);
     let picture = png(&bytes(&pixels), (arguments.size, arguments.size))
         .map_err(|error| Failure::check(format!("the picture cannot be encoded: {error}")))?;
     output::write(&arguments.output, &picture)?;

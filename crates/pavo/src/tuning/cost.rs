@@ -21,8 +21,8 @@ const TRANSCENDENTAL: f64 = 4.0;
 const FETCH: f64 = 16.0;
 
 /// Points and rounds of a measurement of time.
-const TIMED_POINTS: usize = 1_000_000;
-const ROUNDS: usize = 9;
+const TIMED_POINTS: usize = 500_000;
+const ROUNDS: usize = 7;
 
 /// What the cost counts.
 #[derive(Clone, Debug, PartialEq, Eq)]

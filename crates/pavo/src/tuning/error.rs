@@ -155,10 +155,7 @@ impl Judge {
     }
 
     fn ranges(&self) -> Vec<[f64; 2]> {
-        self.inputs
-            .iter()
-            .flat_map(|input| std::iter::repeat_n([input.low, input.high], input.components()))
-            .collect()
+        self.inputs.iter().flat_map(|input| std::iter::repeat_n([input.low, input.high], input.components())).collect()
     }
 
     /// Where the search ends that starts at each of some places; the largest difference comes first.

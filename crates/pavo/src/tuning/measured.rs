@@ -19,11 +19,7 @@ impl<'a> Measured<'a> {
     ///
     /// # Errors
     /// A scene whose data cannot be had.
-    pub fn new(
-        scene: &'a Scene,
-        cache: &dyn FitCache,
-        progress: &dyn Fn(usize, &str),
-    ) -> Result<Self, TuningError> {
+    pub fn new(scene: &'a Scene, cache: &dyn FitCache, progress: &dyn Fn(usize, &str)) -> Result<Self, TuningError> {
         let judge = Judge::new(scene)?;
         let candidates = Variant::candidates();
         let mut measured = Self { scene, judge, made: Vec::new(), refused: Vec::new() };

@@ -18,8 +18,12 @@ pub struct Description {
 impl Description {
     /// A scene with its file's text.
     pub fn new(scene: &Scene, text: String) -> Self {
-        let comment: Vec<&str> =
-            text.lines().map_while(|line| line.strip_prefix('#')).map(str::trim).filter(|line| !line.is_empty()).collect();
+        let comment: Vec<&str> = text
+            .lines()
+            .map_while(|line| line.strip_prefix('#'))
+            .map(str::trim)
+            .filter(|line| !line.is_empty())
+            .collect();
         let film = match &scene.film {
             None => "none".to_owned(),
             Some(film) => format!("{}, {}", medium(&film.medium), quantity(film.thickness_nm, " nm thick")),

@@ -1,14 +1,19 @@
 //! The plot of error against cost: a panel for the largest dE2000 and one for the root of the mean square error.
 
-use super::label::{Labels, Rectangle as Pixels};
+use super::label::{FAR, Labels, NEAR, Rectangle as Pixels};
+use super::page::significant;
 use crate::cli::plot::{FONT, Picture, shown};
 use plotters::coord::Shift;
+use plotters::coord::combinators::LogCoord;
 use plotters::prelude::*;
 use plotters::style::text_anchor::{HPos, Pos, VPos};
 
 const FRONTIER: RGBColor = RGBColor(35, 120, 190);
 const PICKED: RGBColor = RGBColor(217, 72, 15);
 const OTHER: RGBColor = RGBColor(128, 134, 142);
+
+/// A chart with two logarithmic axes.
+type Logarithmic<'a, B> = ChartContext<'a, B, Cartesian2d<LogCoord<f64>, LogCoord<f64>>>;
 
 /// A variant in the plot.
 #[derive(Clone, Debug)]
@@ -73,19 +78,32 @@ impl FrontierPlot {
             .map_err(shown)?;
         chart
             .configure_mesh()
-            .bold_line_style(OTHER.mix(0.3))
-            .light_line_style(OTHER.mix(0.1))
+            .disable_mesh()
             .axis_style(OTHER)
-            .x_labels(8)
-            .y_labels(10)
             .x_desc(&self.axis)
             .y_desc(name)
-            .x_label_formatter(&tick)
-            .y_label_formatter(&tick)
+            .x_label_formatter(&|_| String::new())
+            .y_label_formatter(&|_| String::new())
             .axis_desc_style((FONT, 14))
-            .label_style((FONT, 12))
             .draw()
             .map_err(shown)?;
+        let (left, top) = area.get_base_pixel();
+        let pixel = |chart: &Logarithmic<'_, B>, place: (f64, f64)| {
+            let (x, y) = chart.backend_coord(&place);
+            (x - left, y - top)
+        };
+        for (value, label) in ticks(x) {
+            let style = OTHER.mix(if label.is_some() { 0.35 } else { 0.12 });
+            chart.draw_series([PathElement::new([(value, y.0), (value, y.1)], style)]).map_err(shown)?;
+            let (x, y) = pixel(&chart, (value, y.0));
+            draw_tick(area, label, (x, y + 5), Pos::new(HPos::Center, VPos::Top))?;
+        }
+        for (value, label) in ticks(y) {
+            let style = OTHER.mix(if label.is_some() { 0.35 } else { 0.12 });
+            chart.draw_series([PathElement::new([(x.0, value), (x.1, value)], style)]).map_err(shown)?;
+            let (x, y) = pixel(&chart, (x.0, value));
+            draw_tick(area, label, (x - 6, y), Pos::new(HPos::Right, VPos::Center))?;
+        }
         if let Some(budget) = budget {
             let line = DashedLineSeries::new([(x.0, budget), (x.1, budget)], 6, 5, PICKED.stroke_width(1));
             chart.draw_series(line).map_err(shown)?;
@@ -117,11 +135,7 @@ impl FrontierPlot {
             .draw_series(ordered.iter().map(|variant| Circle::new(at(variant), mark(variant).0, mark(variant).1)))
             .map_err(shown)?;
 
-        let (left, top) = area.get_base_pixel();
-        let pixel = |place: (f64, f64)| {
-            let (x, y) = chart.backend_coord(&place);
-            (x - left, y - top)
-        };
+        let pixel = |place| pixel(&chart, place);
         let corners = [pixel((x.0, y.1)), pixel((x.1, y.0))];
         let bounds = Pixels { low: (corners[0].0 + 2, corners[0].1 + 2), high: (corners[1].0 - 2, corners[1].1 - 2) };
         let points = ordered.iter().map(|variant| Pixels::around(pixel(at(variant)), mark(variant).0 + 1)).collect();
@@ -135,7 +149,8 @@ impl FrontierPlot {
             let text = short(&variant.name);
             let (width, height) = area.estimate_text_size(&text, &style).map_err(shown)?;
             let point = pixel(at(variant));
-            let Some(place) = labels.place(point, (width as i32 + 2, height as i32)) else { continue };
+            let reach = if radius > 3 { FAR } else { NEAR };
+            let Some(place) = labels.place(point, (width as i32 + 2, height as i32), reach) else { continue };
             if let Some(end) = place.lead {
                 area.draw(&PathElement::new([point, end], OTHER.mix(0.6))).map_err(shown)?;
             }
@@ -203,7 +218,34 @@ fn short(name: &str) -> String {
     name.replace("form=", "").replace("fit=", "")
 }
 
-/// A number at an axis.
-fn tick(value: &f64) -> String {
-    if (1e-3..1e5).contains(value) { super::page::significant(*value, 3) } else { format!("{value:.0e}") }
+/// Values along a logarithmic axis, with what stands at some of them: at 1, 2 and 5 times the powers of ten where there
+/// are few, at the powers alone where there are many.
+fn ticks((low, high): (f64, f64)) -> Vec<(f64, Option<String>)> {
+    let decades = (high / low).log10();
+    let labelled: &[i32] = match decades {
+        decades if decades < 1.0 => &[1, 2, 3, 4, 5, 6, 8],
+        decades if decades < 3.5 => &[1, 2, 5],
+        _ => &[1],
+    };
+    let (first, last) = (low.log10().floor() as i32, high.log10().ceil() as i32);
+    let values = (first..=last).flat_map(|power| (1..10).map(move |factor| (factor, power)));
+    values
+        .map(|(factor, power)| (f64::from(factor) * 10.0_f64.powi(power), factor, power))
+        .filter(|(value, ..)| (low..=high).contains(value))
+        .map(|(value, factor, power)| {
+            let text = if (-3..5).contains(&power) { significant(value, 2) } else { format!("{factor}e{power}") };
+            (value, labelled.contains(&factor).then_some(text))
+        })
+        .collect()
+}
+
+fn draw_tick<B: DrawingBackend>(
+    area: &DrawingArea<B, Shift>,
+    label: Option<String>,
+    at: (i32, i32),
+    position: Pos,
+) -> Result<(), String> {
+    let Some(label) = label else { return Ok(()) };
+    let style = TextStyle::from((FONT, 12)).color(&BLACK).pos(position);
+    area.draw(&Text::new(label, at, style)).map_err(shown)
 }

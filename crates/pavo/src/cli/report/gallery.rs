@@ -25,5 +25,8 @@ pub fn page(surveys: &[Survey<'_>]) -> Result<String, Failure> {
         })
         .collect();
     let verified_points = surveys.first().map(|survey| survey.figures.verified_points);
-    page::render("gallery.html", context! { title => "Thin-film scenes", cards, verified_points, pavo => env!("CARGO_PKG_VERSION") })
+    page::render(
+        "gallery.html",
+        context! { title => "Thin-film scenes", cards, verified_points, pavo => env!("CARGO_PKG_VERSION") },
+    )
 }

@@ -27,8 +27,12 @@ impl Rectangle {
     }
 }
 
-/// How far labels may stand from their points, the nearest first, and in which directions.
-const DISTANCES: [i32; 7] = [7, 13, 22, 34, 50, 70, 95];
+/// How far a label may stand from its point in pixels: beside it, or further off with a line that leads to it.
+pub const NEAR: i32 = 10;
+pub const FAR: i32 = 100;
+
+/// How far labels stand from their points, the nearest first, and in which directions.
+const DISTANCES: [i32; 8] = [6, 10, 14, 22, 34, 50, 70, 95];
 const DIRECTIONS: [(f64, f64); 12] = [
     (1.0, 0.0),
     (0.8, -0.6),
@@ -69,9 +73,9 @@ impl Labels {
         Self { bounds, points, lines, placed: Vec::new() }
     }
 
-    /// Places a label of this size beside a point; nothing where all is full.
-    pub fn place(&mut self, point: (i32, i32), size: (i32, i32)) -> Option<Place> {
-        let (distance, label) = self.free(point, size, true).or_else(|| self.free(point, size, false))?;
+    /// Places a label of this size beside a point, at most this far off; nothing where all is full.
+    pub fn place(&mut self, point: (i32, i32), size: (i32, i32), reach: i32) -> Option<Place> {
+        let (distance, label) = self.free(point, size, reach, true).or_else(|| self.free(point, size, reach, false))?;
         self.placed.push(label);
         let middle = i32::midpoint(label.low.1, label.high.1);
         let nearest = (point.0.clamp(label.low.0, label.high.0), point.1.clamp(label.low.1, label.high.1));
@@ -79,32 +83,39 @@ impl Labels {
         Some(Place { label, lead: (distance >= LED).then_some(end) })
     }
 
-    fn free(&self, point: (i32, i32), (width, height): (i32, i32), beside_lines: bool) -> Option<(i32, Rectangle)> {
-        DISTANCES.into_iter().flat_map(|distance| DIRECTIONS.map(|direction| (distance, direction))).find_map(
-            |(distance, (x, y))| {
-                // The label's nearest corner, or the middle of its nearest edge, lies in the direction.
-                let reach = |part: f64, length: i32| {
-                    let shift = (part * f64::from(distance)).round() as i32;
-                    match part {
-                        part if part > 0.5 => shift,
-                        part if part < -0.5 => shift - length,
-                        _ => shift - length / 2,
-                    }
-                };
-                let low = (point.0 + reach(x, width), point.1 + reach(y, height));
-                let label = Rectangle { low, high: (low.0 + width, low.1 + height) };
-                let lines: &[Rectangle] = if beside_lines { &self.lines } else { &[] };
-                let taken = self.points.iter().chain(&self.placed).chain(lines);
-                let is_free = self.bounds.contains(&label) && !taken.into_iter().any(|other| other.overlaps(&label));
-                is_free.then_some((distance, label))
-            },
-        )
+    fn free(
+        &self,
+        point: (i32, i32),
+        (width, height): (i32, i32),
+        reach: i32,
+        beside_lines: bool,
+    ) -> Option<(i32, Rectangle)> {
+        let lines: &[Rectangle] = if beside_lines { &self.lines } else { &[] };
+        let distances = DISTANCES.into_iter().filter(|distance| *distance <= reach);
+        let places = distances.flat_map(|distance| DIRECTIONS.map(|direction| (distance, direction)));
+        let mut labels = places.map(|(distance, (x, y))| {
+            // The label's nearest corner, or the middle of its nearest edge, lies in the direction.
+            let start = |part: f64, length: i32| {
+                let shift = (part * f64::from(distance)).round() as i32;
+                match part {
+                    part if part > 0.5 => shift,
+                    part if part < -0.5 => shift - length,
+                    _ => shift - length / 2,
+                }
+            };
+            let low = (point.0 + start(x, width), point.1 + start(y, height));
+            (distance, Rectangle { low, high: (low.0 + width, low.1 + height) })
+        });
+        labels.find(|(_, label)| {
+            let mut taken = self.points.iter().chain(&self.placed).chain(lines);
+            self.bounds.contains(label) && !taken.any(|other| other.overlaps(label))
+        })
     }
 }
 
 #[cfg(test)]
 mod tests {
-    use super::{Labels, Rectangle};
+    use super::{FAR, Labels, Rectangle};
 
     #[test]
     fn labels_cover_neither_points_nor_each_other() {
@@ -113,7 +124,7 @@ mod tests {
         let marks: Vec<Rectangle> = points.iter().map(|&point| Rectangle::around(point, 4)).collect();
         let mut labels = Labels::new(bounds, marks.clone(), Vec::new());
         let placed: Vec<Rectangle> =
-            points.iter().filter_map(|&point| labels.place(point, (70, 12))).map(|place| place.label).collect();
+            points.iter().filter_map(|&point| labels.place(point, (70, 12), FAR)).map(|place| place.label).collect();
         assert!(placed.len() >= 10, "{} of 12 have a place", placed.len());
         for (index, label) in placed.iter().enumerate() {
             assert!(bounds.contains(label));
@@ -125,6 +136,6 @@ mod tests {
     fn a_label_finds_no_place_where_all_is_full() {
         let bounds = Rectangle { low: (0, 0), high: (40, 40) };
         let mut labels = Labels::new(bounds, Vec::new(), Vec::new());
-        assert_eq!(labels.place((20, 20), (60, 10)), None);
+        assert_eq!(labels.place((20, 20), (60, 10), FAR), None);
     }
 }

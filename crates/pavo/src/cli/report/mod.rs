@@ -1,5 +1,6 @@
 //! `pavo report`: what is known of a scene's variants and of the one that is picked, as one page.
 
+mod commands;
 mod description;
 mod figures;
 mod frontier;
@@ -7,6 +8,7 @@ mod gallery;
 mod label;
 mod page;
 mod pictures;
+mod plots;
 mod scene_page;
 mod survey;
 mod worst;

@@ -15,8 +15,10 @@ const TEMPLATES: [(&str, &str); 4] = [
 pub fn render(template: &str, values: Value) -> Result<String, Failure> {
     let mut environment = Environment::new();
     environment.set_undefined_behavior(UndefinedBehavior::Strict);
-    environment.set_auto_escape_callback(|name| if name.ends_with(".css") { AutoEscape::None } else { AutoEscape::Html });
+    environment
+        .set_auto_escape_callback(|name| if name.ends_with(".css") { AutoEscape::None } else { AutoEscape::Html });
     environment.add_filter("fixed", |value: f64, digits: usize| format!("{value:.digits$}"));
+    environment.add_filter("scientific", |value: f64| format!("{value:.1e}"));
     environment.add_filter("significant", |value: f64, digits: usize| significant(value, digits));
     let text = SyntaxConfig::builder()
         .trim_blocks(true)

@@ -15,8 +15,8 @@ use pavo_spectra::delta_e::delta_e_of_linear;
 use plotters::style::RGBColor;
 use serde::Serialize;
 
-/// The width and height of the pictures in pixels.
-const SIZE: u32 = 320;
+/// The width and height of the pictures in pixels. Each has one sample: the reference takes a tenth of a millisecond.
+const SIZE: u32 = 288;
 
 /// The pictures of a page as `data:` URIs, with their figures.
 #[derive(Serialize)]
@@ -51,8 +51,8 @@ pub fn pictures(source: &Source, device: Option<&Device>, progress: &Progress) -
 
     // One exposure for all, so that the pictures differ by the reflectance alone.
     let display = Display::of(&exact, shading.sensitivities().space());
-    let [exact, on_cpu] = [exact, on_cpu].map(|samples| clipped(&display.pixels(&samples, SIZE)));
-    let rendered = rendered.map(|samples| clipped(&display.pixels(&samples, SIZE)));
+    let [exact, on_cpu] = [exact, on_cpu].map(|samples| clipped(&display.pixels(&samples, SIZE, 1)));
+    let rendered = rendered.map(|samples| clipped(&display.pixels(&samples, SIZE, 1)));
     let shader_against_cpu = rendered.as_ref().map(|rendered| {
         let pairs = bytes(rendered).into_iter().zip(bytes(&on_cpu));
         pairs.map(|(a, b)| f64::from(a.abs_diff(b))).fold(0.0, f64::max)
@@ -60,16 +60,23 @@ pub fn pictures(source: &Source, device: Option<&Device>, progress: &Progress) -
     let variant = rendered.unwrap_or(on_cpu);
     let differences: Vec<f64> =
         exact.iter().zip(&variant).map(|(a, b)| delta_e_of_linear(*a, *b, ColourSpace::LinearSrgb)).collect();
-    let lit: Vec<f64> = (0..exact.len()).filter(|&index| exact[index] != [0.0; 3]).map(|index| differences[index]).collect();
+    let lit: Vec<f64> =
+        (0..exact.len()).filter(|&index| exact[index] != [0.0; 3]).map(|index| differences[index]).collect();
     let max_delta_e = differences.iter().copied().fold(0.0, f64::max);
     let scale_delta_e = round_up(max_delta_e);
-    let map: Vec<u8> =
-        differences.iter().map(|difference| heat(difference / scale_delta_e)).flat_map(|RGBColor(r, g, b)| [r, g, b]).collect();
+    let map: Vec<u8> = differences
+        .iter()
+        .map(|difference| heat(difference / scale_delta_e))
+        .flat_map(|RGBColor(r, g, b)| [r, g, b])
+        .collect();
     Ok(Pictures {
         exact: data_uri(&bytes(&exact))?,
         variant: data_uri(&bytes(&variant))?,
         difference: data_uri(&map)?,
-        scale: (0..=12).map(|step| heat(f64::from(step) / 12.0)).map(|RGBColor(r, g, b)| format!("#{r:02x}{g:02x}{b:02x}")).collect(),
+        scale: (0..=12)
+            .map(|step| heat(f64::from(step) / 12.0))
+            .map(|RGBColor(r, g, b)| format!("#{r:02x}{g:02x}{b:02x}"))
+            .collect(),
         figures: SphereFigures {
             size: SIZE,
             device: device.as_ref().ok().map(|device| device.description().clone()),
@@ -87,11 +94,11 @@ fn clipped(pixels: &[[f64; 3]]) -> Vec<[f64; 3]> {
     pixels.iter().map(|pixel| pixel.map(|value| if value > 0.0 { value.min(1.0) } else { 0.0 })).collect()
 }
 
-/// The next of 1, 2 and 5 times a power of ten, from 0.1 on.
+/// The next of 1, 2, 3 and 5 times a power of ten, from 0.1 on.
 fn round_up(value: f64) -> f64 {
     let mut step = 0.1;
     loop {
-        for factor in [1.0, 2.0, 5.0] {
+        for factor in [1.0, 2.0, 3.0, 5.0] {
             if step * factor >= value || step > 1e3 {
                 return step * factor;
             }

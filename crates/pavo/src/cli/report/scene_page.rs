@@ -1,7 +1,8 @@
 //! The page of a scene.
 
 use super::page;
-use super::survey::{PlotFile, Survey};
+use super::plots::PlotFile;
+use super::survey::Survey;
 use super::worst;
 use crate::cli::failure::Failure;
 use minijinja::value::Serde;
@@ -12,10 +13,15 @@ use pavo_spectra::colour_space::srgb_encode;
 /// The page as HTML, on its own or as one of a gallery.
 pub fn page(survey: &Survey<'_>, in_gallery: bool) -> Result<String, Failure> {
     let Survey { figures, description, pictures, plots, worst_points } = survey;
-    let plots: Vec<Value> =
-        plots.iter().map(|plot| context! { caption => &plot.caption, svg => inline(plot), file => plot.file }).collect();
+    let plots: Vec<Value> = plots
+        .iter()
+        .map(|plot| context! { caption => &plot.caption, svg => inline(plot), file => plot.file })
+        .collect();
     let space = ColourSpace::from_name(&figures.scene.colour.space).unwrap_or(ColourSpace::LinearSrgb);
-    let swatch = |color: [f64; 3]| css_colour(color, space);
+    // Weak reflectances are brightened alike, the strongest channel to 1.
+    let strongest = figures.worst_points.iter().flat_map(|point| point.exact).fold(0.0, f64::max);
+    let gain = if strongest > 1e-6 { (1.0 / strongest).max(1.0) } else { 1.0 };
+    let swatch = |color: [f64; 3]| css_colour(color.map(|value| value * gain), space);
     let swatches: Vec<[String; 2]> =
         figures.worst_points.iter().map(|point| [swatch(point.exact), swatch(point.found)]).collect();
     let values = context! {
@@ -26,6 +32,7 @@ pub fn page(survey: &Survey<'_>, in_gallery: bool) -> Result<String, Failure> {
         plots,
         pictures => Serde(pictures),
         swatches,
+        gain,
         worst_file => worst::FILE,
         worst_table => worst_points,
     };

@@ -1,16 +1,15 @@
 //! All that is said of one scene: measured, drawn and emitted.
 
+use super::commands::commands;
 use super::description::Description;
-use super::figures::{CodeFigures, Command, Cost, Figures, NotMeasured, Refused, Time, Timed, VariantFigures};
-use super::frontier::{FrontierPlot, PlottedVariant};
+use super::figures::{CodeFigures, Cost, Figures, NotMeasured, Refused, Time, Timed, VariantFigures};
 use super::pictures::{Pictures, pictures};
+use super::plots::{PlotFile, plots};
 use super::worst;
 use crate::cli::cache::DiskCache;
-use crate::cli::command_line::quoted;
 use crate::cli::failure::Failure;
 use crate::cli::manifest::{InputRow, Rates};
 use crate::cli::output;
-use crate::cli::plot;
 use crate::cli::points_table::column_names;
 use crate::cli::progress::Progress;
 use crate::cli::sources::Source;
@@ -26,7 +25,7 @@ use pavo_check::doctor::{Finding, survey as survey_tools};
 use pavo_check::timing::Timings;
 use pavo_check::{CheckError, Device};
 use pavo_emit::{Form, Language};
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
 /// The variant that engines ship in simpler forms, and with which times are compared.
 const BASELINE: &str = "series:m=3,fit=xyz-gauss";
@@ -57,16 +56,6 @@ pub struct Survey<'a> {
     pub plots: Vec<PlotFile>,
     /// The worst points as a table.
     pub worst_points: String,
-}
-
-/// A plot.
-pub struct PlotFile {
-    /// The name of its file.
-    pub file: &'static str,
-    /// What it shows.
-    pub caption: String,
-    /// Its text.
-    pub svg: String,
 }
 
 /// Measures a scene; on a device times are taken and the sphere is rendered.
@@ -218,71 +207,6 @@ fn variants(
     by_operations.rows.iter().map(row).collect()
 }
 
-/// A plot for each cost that was measured.
-fn plots(
-    scene: &Scene,
-    budget: f64,
-    variants: &[VariantFigures],
-    timings: Option<&Timings>,
-) -> Result<Vec<PlotFile>, Failure> {
-    let draw = |file, title: &str, axis: &str, caption: String, cost: &dyn Fn(&VariantFigures) -> Option<f64>| {
-        let plotted = |variant: &VariantFigures| {
-            Some(PlottedVariant {
-                name: variant.variant.clone(),
-                cost: cost(variant)?,
-                errors: [variant.errors.max_delta_e, variant.errors.rms],
-                is_picked: variant.is_shown,
-            })
-        };
-        let plotted: Vec<PlottedVariant> = variants.iter().filter_map(plotted).collect();
-        let plot =
-            FrontierPlot { axis: axis.to_owned(), title: format!("{}: {title}", scene.name), budget, variants: plotted };
-        let svg = plot::svg(&plot);
-        svg.map(|svg| PlotFile { file, caption, svg })
-            .map_err(|error| Failure::check(format!("the plot cannot be drawn: {error}")))
-    };
-    let mut plots = vec![draw(
-        "frontier.svg",
-        "error against operations",
-        "operations of the emitted program",
-        "Operations of one evaluation of the reflectance: roots, quotients, sines and the like count 4, rows of tables \
-         16, all else 1."
-            .to_owned(),
-        &|variant| Some(variant.ops.cost),
-    )?];
-    if variants.iter().any(|variant| variant.navi21.is_some()) {
-        plots.push(draw(
-            "frontier-navi21.svg",
-            "error against cycles on navi21",
-            "cycles of inverse throughput on navi21",
-            "Inverse throughput on a navi21 card as RADV's compiler counts it, net of an empty shader with the same \
-             inputs."
-                .to_owned(),
-            &|variant| variant.navi21.map(|cost| cost.cost),
-        )?);
-    }
-    if let Some(timings) = timings {
-        let positive = |variant: &VariantFigures| variant.lavapipe.map(|time| time.ns.median).filter(|time| *time > 0.0);
-        let hidden = variants.iter().filter(|variant| positive(variant).is_none()).count();
-        let left_out = match hidden {
-            0 => String::new(),
-            _ => format!(" Left out are {hidden} that take no longer than reading and writing alone."),
-        };
-        plots.push(draw(
-            "frontier-lavapipe.svg",
-            "error against time on lavapipe",
-            "time of an evaluation on lavapipe (ns)",
-            format!(
-                "Median over {} rounds of {} points on {}, net of reading and writing. Times differ from run to run \
-                 and with what else the machine does.{left_out}",
-                timings.rounds, timings.points, timings.device
-            ),
-            &positive,
-        )?);
-    }
-    Ok(plots)
-}
-
 /// The library of the variant in WGSL and GLSL 4.50.
 fn code(source: &Source) -> Result<Vec<CodeFigures>, Failure> {
     [Language::Wgsl, Language::Glsl450]
@@ -294,25 +218,4 @@ fn code(source: &Source) -> Result<Vec<CodeFigures>, Failure> {
             Ok(CodeFigures { target: target.name(), text, verdicts: emitted.verdicts })
         })
         .collect()
-}
-
-fn commands(path: &Path, variant: &str, max_delta_e: Option<f64>, ran: bool) -> Vec<Command> {
-    let scene = quoted(path);
-    let budget = max_delta_e.map(|limit| format!(" --max-delta-e {limit}")).unwrap_or_default();
-    let no_run = if ran { "" } else { " --no-run" };
-    vec![
-        Command { gives: "this report", command: format!("pavo report {scene}{budget}{no_run} -o report") },
-        Command { gives: "the table and the pick", command: format!("pavo tune {scene}{budget} --all") },
-        Command { gives: "the cycles on navi21", command: format!("pavo tune {scene}{budget} --cost navi21 --all") },
-        Command { gives: "the times on lavapipe", command: format!("pavo tune {scene}{budget} --cost lavapipe --all") },
-        Command {
-            gives: "the code in a folder, judged, run and compared",
-            command: format!("pavo build {scene} --variant {variant}"),
-        },
-        Command { gives: "the sphere", command: format!("pavo preview {scene} --variant {variant} -o sphere.png") },
-        Command {
-            gives: "the worst points by the variant, compared with the exact colours",
-            command: format!("pavo eval {scene} --points {} --on cpu-f64 --variant {variant}", worst::FILE),
-        },
-    ]
 }

@@ -1,6 +1,5 @@
 //! From the radiance of the samples to what a display shows.
 
-use super::OVERSAMPLING;
 use pavo_spectra::ColourSpace;
 use pavo_spectra::colour_space::srgb_encode;
 
@@ -16,9 +15,10 @@ impl Display {
         Self { exposure: exposure(samples), to_srgb: matrix_to_srgb(space) }
     }
 
-    /// The pixels of a square picture as linear sRGB: the mean of the tone-mapped samples of each, not yet clipped.
-    pub fn pixels(&self, samples: &[[f64; 3]], size: u32) -> Vec<[f64; 3]> {
-        let (size, oversampling) = (size as usize, OVERSAMPLING as usize);
+    /// The pixels of a square picture as linear sRGB: the mean of the tone-mapped samples of each, `oversampling` a side,
+    /// not yet clipped.
+    pub fn pixels(&self, samples: &[[f64; 3]], size: u32, oversampling: u32) -> Vec<[f64; 3]> {
+        let (size, oversampling) = (size as usize, oversampling as usize);
         let pixel = |index: usize| {
             let (row, column) = (index / size, index % size);
             let mut sum = [0.0_f64; 3];

@@ -1,7 +1,6 @@
 //! The sphere on the CPU, by the exact reference or by the variant: what `templates/entry/sphere.wgsl` does around the
 //! surface, so that two pictures differ by the film's reflectance alone.
 
-use super::OVERSAMPLING;
 use crate::emission::over_sphere;
 use crate::inputs::ShadingQuantity;
 use crate::media::MediaError;
@@ -23,45 +22,71 @@ pub enum Evaluation {
 const LIGHTS: [DVec3; 2] = [DVec3::new(-0.452, 0.603, 0.657), DVec3::new(0.762, 0.127, 0.635)];
 const VIEW: DVec3 = DVec3::new(0.0, 0.0, 1.0);
 
+/// In how many steps the reflectance under a light is evaluated over the pattern.
+const STEPS: usize = 1024;
+
 /// The radiance of the samples of a square picture, row by row from the top.
 ///
 /// # Errors
 /// If an index of a point is no index.
-pub fn evaluate(shading: &Shading, by: Evaluation, size: u32) -> Result<Vec<[f64; 3]>, MediaError> {
-    let side = (size * OVERSAMPLING) as usize;
+pub fn evaluate(shading: &Shading, by: Evaluation, side: u32) -> Result<Vec<[f64; 3]>, MediaError> {
+    let side = side as usize;
     let places: Vec<Place> = (0..side * side).filter_map(|index| Place::of(index, side)).collect();
-    let mut colors = vec![DVec3::ZERO; places.len()];
-    let mut add = |quantity: ShadingQuantity, lit: &[(usize, Cosines, f64)]| -> Result<(), MediaError> {
+    let reflectances = |cosines: &[(f64, f64)]| {
+        let quantity = ShadingQuantity::Reflectance;
         let inputs = shading.inputs(quantity);
         let sphere = over_sphere(&inputs);
-        let points: Vec<Vec<f64>> =
-            lit.iter().map(|(place, cosines, _)| point(&inputs, &sphere, cosines, places[*place].pattern)).collect();
-        let found = match by {
-            Evaluation::Reference => shading.reference_each(quantity, &points)?,
-            Evaluation::Variant => shading.evaluate_each(quantity, &points),
+        let at = |&(cos_theta1, pattern): &(f64, f64)| {
+            point(&inputs, &sphere, &Cosines { cos_theta1, ..Cosines::default() }, pattern)
         };
-        for ((place, _, factor), color) in lit.iter().zip(found) {
-            colors[*place] += DVec3::from(color) * *factor;
+        let points: Vec<Vec<f64>> = cosines.iter().map(at).collect();
+        match by {
+            Evaluation::Reference => shading.reference_each(quantity, &points),
+            Evaluation::Variant => Ok(shading.evaluate_each(quantity, &points)),
         }
-        Ok(())
     };
-    let mirrored = |(index, place): (usize, &Place)| {
-        let cosine = place.normal.z;
-        let direction = 2.0 * cosine * place.normal - VIEW;
-        (index, Cosines { cos_theta1: cosine, ..Cosines::default() }, studio(direction))
-    };
-    add(ShadingQuantity::Reflectance, &places.iter().enumerate().map(mirrored).collect::<Vec<_>>())?;
+    let mirrored = reflectances(&places.iter().map(|place| (place.normal.z, place.pattern)).collect::<Vec<_>>())?;
+    let mut samples = vec![DVec3::ZERO; side * side];
+    for (place, reflectance) in places.iter().zip(mirrored) {
+        let direction = 2.0 * place.normal.z * place.normal - VIEW;
+        samples[place.index] = DVec3::from(reflectance) * studio(direction);
+    }
     if shading.scene().lights.punctual {
+        let quantity = ShadingQuantity::Radiance;
+        let inputs = shading.inputs(quantity);
+        let sphere = over_sphere(&inputs);
         for light in LIGHTS {
-            let lit = |(index, place): (usize, &Place)| Some((index, Cosines::under(place.normal, light)?, 1.0));
-            add(ShadingQuantity::Radiance, &places.iter().enumerate().filter_map(lit).collect::<Vec<_>>())?;
+            // Light and view are far away: the angle at the half vector is the same all over the sphere.
+            let cos_theta1 = light.dot((light + VIEW).normalize());
+            let steps: Vec<(f64, f64)> = (0..=STEPS).map(|step| (cos_theta1, step as f64 / STEPS as f64)).collect();
+            let steps = reflectances(&steps)?;
+            let lit: Vec<(&Place, Cosines)> =
+                places.iter().filter_map(|place| Some((place, Cosines::under(place.normal, light)?))).collect();
+            let points: Vec<Vec<f64>> =
+                lit.iter().map(|(place, cosines)| point(&inputs, &sphere, cosines, place.pattern)).collect();
+            let under_light: Vec<[f64; 3]> = lit.iter().map(|(place, _)| interpolate(&steps, place.pattern)).collect();
+            for ((place, _), color) in lit.iter().zip(shading.of_reflectance_each(quantity, &points, &under_light)) {
+                samples[place.index] += DVec3::from(color);
+            }
         }
     }
-    let mut samples = vec![[0.0; 3]; side * side];
-    for (place, color) in places.iter().zip(colors) {
-        samples[place.index] = color.to_array();
-    }
-    Ok(samples)
+    Ok(samples.into_iter().map(|color| color.to_array()).collect())
+}
+
+/// A value between equally spaced ones over 0 to 1, by the cubic through the four nearest.
+fn interpolate(values: &[[f64; 3]], part: f64) -> [f64; 3] {
+    let place = part * (values.len() - 1) as f64;
+    let first = (place.floor() as usize).saturating_sub(1).min(values.len() - 4);
+    let t = place - first as f64;
+    let weights = [
+        -(t - 1.0) * (t - 2.0) * (t - 3.0) / 6.0,
+        t * (t - 2.0) * (t - 3.0) / 2.0,
+        -t * (t - 1.0) * (t - 3.0) / 2.0,
+        t * (t - 1.0) * (t - 2.0) / 6.0,
+    ];
+    std::array::from_fn(|channel| {
+        weights.iter().zip(&values[first..]).map(|(weight, value)| weight * value[channel]).sum()
+    })
 }
 
 /// A sample on the sphere.
@@ -137,4 +162,21 @@ fn studio(direction: DVec3) -> f64 {
 fn smoothstep(low: f64, high: f64, value: f64) -> f64 {
     let part = ((value - low) / (high - low)).clamp(0.0, 1.0);
     part * part * (3.0 - 2.0 * part)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{STEPS, interpolate};
+
+    #[test]
+    fn interpolation_loses_nothing_that_can_be_seen() {
+        // A film whose path is 20 wavelengths longer at the thick end.
+        let wave = |part: f64| [(40.0 * std::f64::consts::PI * part).cos(); 3];
+        let values: Vec<[f64; 3]> = (0..=STEPS).map(|step| wave(step as f64 / STEPS as f64)).collect();
+        for index in 0..=1000 {
+            let part = f64::from(index) / 1000.0;
+            let [found, ..] = interpolate(&values, part);
+            assert!((found - wave(part)[0]).abs() < 3e-5, "{part}: {found}");
+        }
+    }
 }

@@ -7,6 +7,3 @@ mod rendered;
 pub use display::{Display, bytes};
 pub use evaluated::{Evaluation, evaluate};
 pub use rendered::{is_renderable, render};
-
-/// Samples a side that make up a pixel.
-const OVERSAMPLING: u32 = 2;

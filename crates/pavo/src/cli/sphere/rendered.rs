@@ -1,6 +1,5 @@
 //! The sphere by the emitted fragment shader on lavapipe.
 
-use super::OVERSAMPLING;
 use crate::cli::failure::Failure;
 use crate::cli::sources::Source;
 use crate::inputs::ShadingQuantity;
@@ -15,7 +14,7 @@ pub fn is_renderable(shading: &Shading) -> bool {
 }
 
 /// The radiance of the samples of a square picture, row by row from the top.
-pub fn render(source: &Source, device: &Device, size: u32) -> Result<Vec<[f64; 3]>, Failure> {
+pub fn render(source: &Source, device: &Device, side: u32) -> Result<Vec<[f64; 3]>, Failure> {
     let fragment = source.emit(Target::Spirv, Form::Fragment, ShadingQuantity::Radiance)?;
     let words = fragment.bytes.chunks_exact(4);
     let fragment_words: Vec<u32> = words.map(|word| u32::from_le_bytes([word[0], word[1], word[2], word[3]])).collect();
@@ -27,7 +26,6 @@ pub fn render(source: &Source, device: &Device, size: u32) -> Result<Vec<[f64; 3
         fragment: &fragment_words,
         fragment_entry: "main",
     };
-    let side = size * OVERSAMPLING;
     let samples = device.render(&shaders, side, side)?;
     Ok(samples.into_iter().map(|[red, green, blue, _]| [red, green, blue].map(f64::from)).collect())
 }
