@@ -5,6 +5,7 @@ use crate::fitting::FitCache;
 use crate::scene::Scene;
 use crate::shading::{Shading, ShadingError};
 use crate::variant::Variant;
+use rayon::prelude::*;
 
 /// The variants of a scene with their errors.
 pub struct Measured<'a> {
@@ -15,23 +16,34 @@ pub struct Measured<'a> {
 }
 
 impl<'a> Measured<'a> {
-    /// Makes and measures the variants. `progress` is told the number of variants, and each one's name as its turn comes.
+    /// Makes and measures the variants, on all cores. `progress` is told the number of variants, and each one's name as
+    /// its turn comes.
     ///
     /// # Errors
     /// A scene whose data cannot be had.
-    pub fn new(scene: &'a Scene, cache: &dyn FitCache, progress: &dyn Fn(usize, &str)) -> Result<Self, TuningError> {
-        let judge = Judge::new(scene)?;
+    pub fn new(
+        scene: &'a Scene,
+        cache: &dyn FitCache,
+        progress: &(dyn Fn(usize, &str) + Sync),
+    ) -> Result<Self, TuningError> {
+        let mut measured = Self { scene, judge: Judge::new(scene)?, made: Vec::new(), refused: Vec::new() };
         let candidates = Variant::candidates();
-        let mut measured = Self { scene, judge, made: Vec::new(), refused: Vec::new() };
-        for variant in &candidates {
+        let measure = |variant: &Variant| {
             progress(candidates.len(), &variant.to_string());
             match Shading::with_cache(scene, variant, cache) {
                 Ok(shading) => {
                     let errors = measured.errors(&shading, cache)?;
-                    measured.made.push((shading, errors));
+                    Ok(Ok((shading, errors)))
                 }
-                Err(ShadingError::Variant { cause, .. }) => measured.refused.push((variant.to_string(), cause)),
-                Err(error) => return Err(error.into()),
+                Err(ShadingError::Variant { cause, .. }) => Ok(Err((variant.to_string(), cause))),
+                Err(error) => Err(TuningError::from(error)),
+            }
+        };
+        let found = candidates.par_iter().map(measure).collect::<Result<Vec<_>, _>>()?;
+        for candidate in found {
+            match candidate {
+                Ok(made) => measured.made.push(made),
+                Err(refused) => measured.refused.push(refused),
             }
         }
         Ok(measured)

@@ -116,7 +116,7 @@ pub fn tune(
     scene: &Scene,
     kind: &CostKind,
     cache: &dyn FitCache,
-    progress: &dyn Fn(usize, &str),
+    progress: &(dyn Fn(usize, &str) + Sync),
 ) -> Result<Tuning, TuningError> {
     match load(cache, &measured::tuning_key(scene, kind)) {
         Some(kept) => Ok(kept),

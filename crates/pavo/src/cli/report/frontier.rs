@@ -24,8 +24,8 @@ pub struct PlottedVariant {
     pub cost: f64,
     /// Its largest dE2000 and its root of the mean square error.
     pub errors: [f64; 2],
-    /// Whether it is the one that was picked.
-    pub is_picked: bool,
+    /// Whether it is the one to be marked.
+    pub is_marked: bool,
 }
 
 /// Error against one kind of cost.
@@ -36,6 +36,8 @@ pub struct FrontierPlot {
     pub title: String,
     /// The largest dE2000 that is allowed.
     pub budget: f64,
+    /// What the marked variant is.
+    pub marked: &'static str,
     /// The variants.
     pub variants: Vec<PlottedVariant>,
 }
@@ -45,7 +47,7 @@ impl Picture for FrontierPlot {
 
     fn draw<B: DrawingBackend>(&self, area: &DrawingArea<B, Shift>) -> Result<(), String> {
         let (heading, panels) = area.split_vertically(46);
-        draw_heading(&heading, &self.title)?;
+        draw_heading(&heading, &self.title, self.marked)?;
         let panels = panels.split_evenly((1, 2));
         let names = ["largest dE2000 (CIEDE2000)", "RMS error of the linear channels"];
         for (index, (panel, name)) in panels.iter().zip(names).enumerate() {
@@ -122,13 +124,13 @@ impl FrontierPlot {
         chart.draw_series(LineSeries::new(steps.iter().copied(), FRONTIER.mix(0.6).stroke_width(2))).map_err(shown)?;
         let mark = |variant: &PlottedVariant| {
             let is_frontier = frontier.iter().any(|other| std::ptr::eq(*other, variant));
-            match (variant.is_picked, is_frontier) {
+            match (variant.is_marked, is_frontier) {
                 (true, _) => (6, PICKED.filled()),
                 (false, true) => (5, FRONTIER.filled()),
                 (false, false) => (3, OTHER.stroke_width(1)),
             }
         };
-        // The picked one is drawn last, and is named first.
+        // The marked one is drawn last, and is named first.
         let mut ordered: Vec<&PlottedVariant> = self.variants.iter().collect();
         ordered.sort_by_key(|variant| mark(variant).0);
         chart
@@ -161,14 +163,14 @@ impl FrontierPlot {
 }
 
 /// The title, and what the marks mean.
-fn draw_heading<B: DrawingBackend>(area: &DrawingArea<B, Shift>, title: &str) -> Result<(), String> {
+fn draw_heading<B: DrawingBackend>(area: &DrawingArea<B, Shift>, title: &str, marked: &str) -> Result<(), String> {
     let text = |text: &str, at: (i32, i32), size: i32| {
         let style = TextStyle::from((FONT, size)).color(&BLACK);
         area.draw(&Text::new(text.to_owned(), at, style)).map_err(shown)
     };
     text(title, (16, 0), 17)?;
     let legend: [(i32, ShapeStyle, &str); 3] = [
-        (6, PICKED.filled(), "picked"),
+        (6, PICKED.filled(), marked),
         (5, FRONTIER.filled(), "on the frontier of this panel: no cheaper one is closer"),
         (3, OTHER.stroke_width(1), "others; dashed, the budget"),
     ];

@@ -18,6 +18,7 @@ pub fn render(template: &str, values: Value) -> Result<String, Failure> {
     environment
         .set_auto_escape_callback(|name| if name.ends_with(".css") { AutoEscape::None } else { AutoEscape::Html });
     environment.add_filter("fixed", |value: f64, digits: usize| format!("{value:.digits$}"));
+    environment.add_filter("difference", difference);
     environment.add_filter("scientific", |value: f64| format!("{value:.1e}"));
     environment.add_filter("significant", |value: f64, digits: usize| significant(value, digits));
     let text = SyntaxConfig::builder()
@@ -28,6 +29,11 @@ pub fn render(template: &str, values: Value) -> Result<String, Failure> {
         .and_then(|()| TEMPLATES.into_iter().try_for_each(|(name, text)| environment.add_template(name, text)))
         .and_then(|()| environment.get_template(template)?.render(values));
     text.map_err(|error| Failure::check(format!("the page cannot be made: {error:#}")))
+}
+
+/// A dE2000: with three decimals, or with an exponent where those would be zeros.
+fn difference(value: f64) -> String {
+    if value > 0.0 && value < 5e-4 { format!("{value:.0e}") } else { format!("{value:.3}") }
 }
 
 /// A number with so many significant digits, without idle zeros; with an exponent where it is very small or large.

@@ -21,6 +21,7 @@ pub struct PlotFile {
 pub fn plots(
     scene: &Scene,
     budget: f64,
+    is_picked: bool,
     variants: &[VariantFigures],
     timings: Option<&Timings>,
 ) -> Result<Vec<PlotFile>, Failure> {
@@ -30,7 +31,7 @@ pub fn plots(
                 name: variant.variant.clone(),
                 cost: cost(variant)?,
                 errors: [variant.errors.max_delta_e, variant.errors.rms],
-                is_picked: variant.is_shown,
+                is_marked: variant.is_shown,
             })
         };
         let plotted: Vec<PlottedVariant> = variants.iter().filter_map(plotted).collect();
@@ -38,6 +39,7 @@ pub fn plots(
             axis: axis.to_owned(),
             title: format!("{}: {title}", scene.name),
             budget,
+            marked: if is_picked { "picked" } else { "closest: none keeps to the budget" },
             variants: plotted,
         };
         let svg = plot::svg(&plot);

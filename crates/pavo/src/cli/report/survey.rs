@@ -13,6 +13,7 @@ use crate::cli::output;
 use crate::cli::points_table::column_names;
 use crate::cli::progress::Progress;
 use crate::cli::sources::Source;
+use crate::cli::sphere::is_renderable;
 use crate::emission::library_quantity;
 use crate::inputs::ShadingQuantity;
 use crate::scene::Scene;
@@ -26,6 +27,7 @@ use pavo_check::timing::Timings;
 use pavo_check::{CheckError, Device};
 use pavo_emit::{Form, Language};
 use std::path::PathBuf;
+use std::sync::atomic::{AtomicUsize, Ordering};
 
 /// The variant that engines ship in simpler forms, and with which times are compared.
 const BASELINE: &str = "series:m=3,fit=xyz-gauss";
@@ -67,10 +69,10 @@ pub fn survey<'a>(
 ) -> Result<Survey<'a>, Failure> {
     let Request { path, text, scene, max_delta_e } = request;
     let limit = max_delta_e.or(scene.budget.max_delta_e).unwrap_or(DEFAULT_MAX_DELTA_E);
-    let done = std::cell::Cell::new(0);
+    let started = AtomicUsize::new(0);
     let measured = Measured::new(scene, cache, &|count, variant| {
-        done.set(done.get() + 1);
-        progress.step(format!("{}: {} of {count}: {variant}", scene.name, done.get()));
+        let place = started.fetch_add(1, Ordering::Relaxed) + 1;
+        progress.step(format!("{}: {place} of {count}: {variant}", scene.name));
     })?;
     progress.step(format!("{}: costs by ops and navi21", scene.name));
     let by_operations = measured.by(&CostKind::Operations, cache)?;
@@ -115,8 +117,8 @@ pub fn survey<'a>(
         output::warn(&warning);
     }
     let worst_table = worst::csv(measured.judge().inputs(), &worst_points);
-    let plots = plots(scene, limit, &variants, timings.as_ref())?;
-    let commands = commands(path, &shown.variant, *max_delta_e, device.is_some());
+    let plots = plots(scene, limit, picked.is_some(), &variants, timings.as_ref())?;
+    let commands = commands(path, &shown.variant, *max_delta_e, device.is_some(), is_renderable(shading));
     let refused = |(variant, reason): &(String, String)| Refused { variant: variant.clone(), reason: reason.clone() };
     let figures = Figures {
         pavo: env!("CARGO_PKG_VERSION"),
