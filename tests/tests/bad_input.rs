@@ -49,6 +49,7 @@ fn a_bad_scene_is_refused_by_every_command() {
             &["preview", "scene.toml", "-o", "out.png"],
             &["eval", "scene.toml", "--points", "points.csv", "--on", "cpu-f64", "-o", "out.csv"],
             &["variants", "scene.toml"],
+            &["report", "scene.toml", "-o", "out"],
         ] {
             refused(&scene, "cos_theta1,thickness_nm\n1,0\n", arguments, expected, help);
         }

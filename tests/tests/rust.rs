@@ -17,7 +17,7 @@ use std::path::Path;
 
 /// To the graph in single precision: the same operations, but for the last bit of sines and exponentials. Over the
 /// larger of 1 and the value.
-const LARGEST_TO_GRAPH: f64 = 1e-6;
+const LARGEST_TO_GRAPH: f64 = 2e-6;
 /// To the source in single precision, which rounds the constants that the graph folds in double precision.
 const LARGEST_TO_SOURCE: f64 = 1e-5;
 const POINTS: usize = 2_000;

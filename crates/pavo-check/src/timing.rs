@@ -5,6 +5,9 @@
 //! rounds, by a kernel that does only that, and subtracted. Times are those of whole dispatches: take so many points
 //! that one takes some milliseconds, such as a million on lavapipe, and ten rounds or more.
 //!
+//! Time on a device that has rendered no picture: once lavapipe has, it writes both timestamps of a dispatch at its end,
+//! and all times are next to nothing.
+//!
 //! On lavapipe the environment variable `LP_NUM_THREADS=1`, set before the process starts, steadies the times at the
 //! price of making them longer. Nothing here sets it.
 

@@ -58,7 +58,7 @@ pub fn compute<'a>(
 pub fn fragment<'a>(shading: &Shading, emission: impl Into<Emission<'a>>) -> Result<String, EmitError> {
     let program = shading.sphere_program();
     let options = options(shading, emission.into(), Form::Fragment, program.inputs());
-    pavo_emit::emit_fragment(&program, &options, &sphere(program.inputs()))
+    pavo_emit::emit_fragment(&program, &options, &over_sphere(program.inputs()))
 }
 
 /// The functions of a quantity with a fragment entry that evaluates them once, for a compiler to count what they cost.
@@ -121,7 +121,7 @@ fn range(input: &Input) -> String {
 }
 
 /// The inputs over the sphere: what is given at each pixel follows the pattern, the rest stands at a likely value.
-fn sphere(inputs: &[Input]) -> Sphere {
+pub(crate) fn over_sphere(inputs: &[Input]) -> Sphere {
     let value = |input: &Input| {
         let (low, high) = match input.name.as_str() {
             "light_color" => (vec![1.0; 3], vec![1.0; 3]),

@@ -218,28 +218,43 @@ impl Shading {
         let reference = Reference::new(&self.sensitivities);
         let fixed_stack = self.fixed_stack()?;
         let prepared = fixed_stack.as_ref().map(|stack| reference.prepare(stack));
-        points
-            .par_iter()
-            .map(|point| {
-                let mut reader = PointReader { numbers: point.iter() };
-                let geometry = geometry(quantity, &mut reader);
-                let layers = self.layers(&mut reader);
-                let finish = self.finish_of(quantity, &mut reader);
-                let at = Point::new(geometry.cos_theta1, layers.thickness_nm);
-                let reflectance = match (&prepared, &self.scene.base) {
-                    (Some(prepared), _) => prepared.reflectance(at),
-                    (None, Base::Metalness) => {
-                        let base = finish.base_color.to_array().map(|color| {
-                            let specular = 0.04 + (color - 0.04) * finish.metalness;
-                            index_of_normal_reflectance(specular) * layers.ambient_ior
-                        });
-                        reference.reflectance_per_channel(layers.ambient_ior, layers.film_ior, base, at)
-                    }
-                    (None, _) => reference.reflectance(&self.stack(layers)?, at),
-                };
-                Ok(self.of_reflectance(quantity, reflectance.into(), geometry, finish, &mut reader).to_array())
+        let reflectance = |point: &Vec<f64>| -> Result<[f64; 3], MediaError> {
+            let mut reader = PointReader { numbers: point.iter() };
+            let geometry = geometry(quantity, &mut reader);
+            let layers = self.layers(&mut reader);
+            let finish = self.finish_of(quantity, &mut reader);
+            let at = Point::new(geometry.cos_theta1, layers.thickness_nm);
+            Ok(match (&prepared, &self.scene.base) {
+                (Some(prepared), _) => prepared.reflectance(at),
+                (None, Base::Metalness) => {
+                    let base = finish.base_color.to_array().map(|color| {
+                        let specular = 0.04 + (color - 0.04) * finish.metalness;
+                        index_of_normal_reflectance(specular) * layers.ambient_ior
+                    });
+                    reference.reflectance_per_channel(layers.ambient_ior, layers.film_ior, base, at)
+                }
+                (None, _) => reference.reflectance(&self.stack(layers)?, at),
             })
-            .collect()
+        };
+        let reflectances = points.par_iter().map(reflectance).collect::<Result<Vec<_>, _>>()?;
+        Ok(self.of_reflectance_each(quantity, points, &reflectances))
+    }
+
+    /// The colours at many points of a surface whose reflectance at each is given.
+    pub(crate) fn of_reflectance_each(
+        &self,
+        quantity: ShadingQuantity,
+        points: &[Vec<f64>],
+        reflectances: &[[f64; 3]],
+    ) -> Vec<[f64; 3]> {
+        let color = |(point, reflectance): (&Vec<f64>, &[f64; 3])| {
+            let mut reader = PointReader { numbers: point.iter() };
+            let geometry = geometry(quantity, &mut reader);
+            self.layers(&mut reader);
+            let finish = self.finish_of(quantity, &mut reader);
+            self.of_reflectance(quantity, (*reflectance).into(), geometry, finish, &mut reader).to_array()
+        };
+        points.par_iter().zip(reflectances).map(color).collect()
     }
 
     /// The media at a point.

@@ -17,6 +17,7 @@ Examples:
   pavo eval my-film.toml --points points.csv --on reference
   pavo fit scene my-film.toml --max-rms 0.002        a short form, fitted to this scene
   pavo tune my-film.toml --max-delta-e 1            the cheapest variant that is right enough
+  pavo report my-film.toml -o report                all of this, as one page: report/index.html
   pavo doctor                                       which judges and drivers are here
 
 Exit status: 0 fine, 1 a check failed, 2 bad input, 3 something needed is missing.";
@@ -50,6 +51,8 @@ pub enum Command {
     Fit(Fit),
     /// Measure error and cost of every variant, and pick one.
     Tune(Tune),
+    /// Write a page on a scene: every variant's error and cost, the pick, pictures, the worst points, the code.
+    Report(Report),
     /// List the variants of a scene with their errors and operation counts.
     Variants(Variants),
     /// Say which judges and drivers were found.
@@ -285,6 +288,25 @@ pub struct Tune {
     #[arg(long)]
     pub all: bool,
     /// Print all figures as JSON.
+    #[arg(long)]
+    pub json: bool,
+}
+
+#[derive(Debug, Args)]
+pub struct Report {
+    /// The scene files; several make a gallery, with a page for each scene in a folder of its own.
+    #[arg(required = true, value_name = "SCENE")]
+    pub scenes: Vec<PathBuf>,
+    /// The folder to write to.
+    #[arg(short, long, value_name = "DIR", default_value = "report")]
+    pub output: PathBuf,
+    /// Pick the cheapest variant whose largest dE2000 is at most this [default: the scene's budget, or 1].
+    #[arg(long, value_name = "DE")]
+    pub max_delta_e: Option<f64>,
+    /// Do not run the shaders on lavapipe: no times, and pictures by the CPU.
+    #[arg(long)]
+    pub no_run: bool,
+    /// Print all figures as JSON; of several scenes, as a list.
     #[arg(long)]
     pub json: bool,
 }

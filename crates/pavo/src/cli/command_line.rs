@@ -8,16 +8,21 @@ use std::path::Path;
 
 /// The command that emits this text.
 pub fn emit(scene: &Path, target: Target, variant: &Variant, form: Form, quantity: ShadingQuantity) -> String {
-    let scene = scene.display().to_string();
-    let scene = if scene.contains(|character: char| character.is_whitespace() || "'\"\\$".contains(character)) {
-        format!("'{}'", scene.replace('\'', "'\\''"))
-    } else {
-        scene
-    };
+    let scene = quoted(scene);
     let mut command = format!("pavo emit {scene} --target {target} --variant {variant} --form {}", form.name());
     if form == Form::Compute {
         command.push_str(" --quantity ");
         command.push_str(quantity.name());
     }
     command
+}
+
+/// A path as a shell reads it.
+pub fn quoted(path: &Path) -> String {
+    let path = path.display().to_string();
+    if path.contains(|character: char| character.is_whitespace() || "'\"\\$".contains(character)) {
+        format!("'{}'", path.replace('\'', "'\\''"))
+    } else {
+        path
+    }
 }

@@ -15,12 +15,15 @@ mod fit;
 mod manifest;
 mod new;
 mod output;
+mod picture;
 mod plot;
 mod points_table;
 mod preview;
 mod progress;
+mod report;
 mod sources;
 mod spectrum;
+mod sphere;
 mod tune;
 mod variants;
 
@@ -51,6 +54,7 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
         Command::Plot(arguments) => plot::run(&arguments.plot),
         Command::Fit(arguments) => fit::run(&arguments.fit),
         Command::Tune(arguments) => tune::run(&arguments),
+        Command::Report(arguments) => report::run(&arguments),
         Command::Variants(arguments) => variants::run(&arguments),
         Command::Doctor(arguments) => doctor::run(&arguments),
         Command::New(arguments) => new::run(&arguments),

@@ -3,9 +3,12 @@
 mod reflectance;
 mod sensitivities;
 
+pub(super) use reflectance::heat;
+
 use super::arguments::PlotCommand;
 use super::failure::Failure;
 use super::output;
+use super::picture::png;
 use plotters::coord::Shift;
 use plotters::prelude::{BitMapBackend, DrawingArea, DrawingBackend, IntoDrawingArea, SVGBackend, WHITE};
 use plotters::style::{FontStyle, register_font};
@@ -13,7 +16,7 @@ use std::fmt::Display;
 use std::path::Path;
 
 /// The font family of every text; in a PNG it is DejaVu Sans, in an SVG what the viewer has.
-const FONT: &str = "sans-serif";
+pub(super) const FONT: &str = "sans-serif";
 
 /// Draws what was asked for.
 pub fn run(command: &PlotCommand) -> Result<(), Failure> {
@@ -24,7 +27,7 @@ pub fn run(command: &PlotCommand) -> Result<(), Failure> {
 }
 
 /// What can be drawn on any backend.
-trait Picture {
+pub(super) trait Picture {
     /// Width and height in pixels.
     const SIZE: (u32, u32);
 
@@ -62,21 +65,26 @@ impl Format {
     }
 
     fn encode<P: Picture>(self, picture: &P) -> Result<Vec<u8>, String> {
-        register_font(FONT, FontStyle::Normal, dejavu::sans::regular()).map_err(|_| "its font cannot be read")?;
         match self {
-            Format::Svg => {
-                let mut text = String::new();
-                on_white(picture, SVGBackend::with_string(&mut text, P::SIZE))?;
-                Ok(text.into_bytes())
-            }
+            Format::Svg => svg(picture).map(String::into_bytes),
             Format::Png => {
+                register_font(FONT, FontStyle::Normal, dejavu::sans::regular())
+                    .map_err(|_| "its font cannot be read")?;
                 let (width, height) = P::SIZE;
                 let mut pixels = vec![0; width as usize * height as usize * 3];
                 on_white(picture, BitMapBackend::with_buffer(&mut pixels, P::SIZE))?;
-                encode_png(&pixels, P::SIZE).map_err(shown)
+                png(&pixels, P::SIZE).map_err(shown)
             }
         }
     }
+}
+
+/// A picture as the text of an SVG.
+pub(super) fn svg<P: Picture>(picture: &P) -> Result<String, String> {
+    register_font(FONT, FontStyle::Normal, dejavu::sans::regular()).map_err(|_| "its font cannot be read")?;
+    let mut text = String::new();
+    on_white(picture, SVGBackend::with_string(&mut text, P::SIZE))?;
+    Ok(text)
 }
 
 fn on_white<B: DrawingBackend>(picture: &impl Picture, backend: B) -> Result<(), String> {
@@ -86,23 +94,11 @@ fn on_white<B: DrawingBackend>(picture: &impl Picture, backend: B) -> Result<(),
     area.present().map_err(shown)
 }
 
-fn encode_png(pixels: &[u8], (width, height): (u32, u32)) -> Result<Vec<u8>, png::EncodingError> {
-    let mut bytes = Vec::new();
-    let mut encoder = png::Encoder::new(&mut bytes, width, height);
-    encoder.set_color(png::ColorType::Rgb);
-    encoder.set_depth(png::BitDepth::Eight);
-    encoder.set_source_srgb(png::SrgbRenderingIntent::Perceptual);
-    let mut writer = encoder.write_header()?;
-    writer.write_image_data(pixels)?;
-    writer.finish()?;
-    Ok(bytes)
-}
-
 /// A tick of an axis, without idle decimals.
 fn tick(value: &f64) -> String {
     ((value * 1e3).round() / 1e3).to_string()
 }
 
-fn shown(error: impl Display) -> String {
+pub(super) fn shown(error: impl Display) -> String {
     error.to_string()
 }

@@ -7,6 +7,7 @@ use super::output;
 use super::progress::Progress;
 use crate::scene::Scene;
 use crate::tuning::{Budget, CostKind, DEFAULT_MAX_DELTA_E, Pick, Tuning, pick, tune};
+use std::sync::atomic::{AtomicUsize, Ordering};
 
 /// Measures the variants of a scene, prints the frontier and picks.
 pub fn run(arguments: &arguments::Tune) -> Result<(), Failure> {
@@ -43,10 +44,10 @@ pub fn run(arguments: &arguments::Tune) -> Result<(), Failure> {
 /// Measures the variants under a progress bar.
 pub fn measure(scene: &Scene, kind: &CostKind, cache: &DiskCache) -> Result<Tuning, Failure> {
     let progress = Progress::start();
-    let done = std::cell::Cell::new(0);
+    let started = AtomicUsize::new(0);
     let tuning = tune(scene, kind, cache, &|count, name| {
-        done.set(done.get() + 1);
-        progress.step(format!("{} of {count}: {name}", done.get().min(count)));
+        let place = started.fetch_add(1, Ordering::Relaxed) + 1;
+        progress.step(format!("{} of {count}: {name}", place.min(count)));
     });
     drop(progress);
     Ok(tuning?)

@@ -8,10 +8,10 @@ use crate::roads::{Road, table_numbers};
 use crate::shading::Shading;
 use pavo_check::static_cost::StaticCost;
 use pavo_check::static_cost::{FAMILIES, StaticCompiler, net};
-use pavo_check::timing::{Candidate, compare};
+use pavo_check::timing::{Candidate, Timings, compare};
 use pavo_check::{ComputeShader, Device};
 use pavo_emit::{Language, WORKGROUP_SIZE};
-use pavo_shade::Operations;
+use pavo_shade::{Input, Operations};
 use rayon::prelude::*;
 
 const QUANTITY: ShadingQuantity = ShadingQuantity::Reflectance;
@@ -21,7 +21,7 @@ const TRANSCENDENTAL: f64 = 4.0;
 const FETCH: f64 = 16.0;
 
 /// Points and rounds of a measurement of time.
-const TIMED_POINTS: usize = 200_000;
+const TIMED_POINTS: usize = 500_000;
 const ROUNDS: usize = 7;
 
 /// What the cost counts.
@@ -122,7 +122,13 @@ impl Meter {
                     Ok(net(&whole, &baseline)?.inverse_throughput as f64)
                 })
                 .collect(),
-            Meter::Device(device) => times(device, shadings),
+            Meter::Device(device) => {
+                // The longest of all makes the steadiest reference; only the absolute times are taken.
+                let operations = |shading: &&&Shading| operations(shading.program(QUANTITY).operations()) as u64;
+                let Some(reference) = shadings.iter().max_by_key(operations) else { return Ok(Vec::new()) };
+                let timings = time(device, shadings, &reference.variant().to_string())?;
+                Ok(timings.timings.iter().map(|timing| timing.net.median).collect())
+            }
         }
     }
 }
@@ -133,28 +139,40 @@ fn operations(operations: Operations) -> f64 {
     arithmetic as f64 + TRANSCENDENTAL * (roots + transcendental) as f64 + FETCH * fetches as f64
 }
 
-/// Nanoseconds for an evaluation, all measured by turns.
-fn times(device: &Device, shadings: &[&Shading]) -> Result<Vec<f64>, TuningError> {
+/// Times the reflectance of each on a device, all by turns, and compares them with the variant that is called
+/// `reference`.
+///
+/// # Errors
+/// If a shader cannot be emitted or run, or the reference is none of them or does next to nothing.
+pub fn time(device: &Device, shadings: &[&Shading], reference: &str) -> Result<Timings, TuningError> {
     struct Kernel {
         name: String,
         words: Vec<u32>,
         tables: Vec<Vec<f32>>,
-        inputs: Vec<f32>,
+        /// The place of its points among those of all.
+        points: usize,
         inputs_per_point: usize,
     }
-    let kernel = |shading: &&Shading| -> Result<Kernel, TuningError> {
-        let words = Road::Wgsl.spirv(shading, QUANTITY).map_err(TuningError::from)?;
+    // Kernels with the same inputs share their points, and the buffer that they lie in.
+    let mut points: Vec<(Vec<Input>, Vec<f32>)> = Vec::new();
+    let mut kernels = Vec::new();
+    for shading in shadings {
+        let words = Road::Wgsl.spirv(shading, QUANTITY)?;
         let program = shading.program(QUANTITY);
-        let points = spread(program.inputs(), TIMED_POINTS, 3);
-        Ok(Kernel {
+        let known = points.iter().position(|(inputs, _)| inputs == program.inputs());
+        let place = known.unwrap_or(points.len());
+        if known.is_none() {
+            let numbers = spread(program.inputs(), TIMED_POINTS, 3).into_iter().flatten();
+            points.push((program.inputs().to_vec(), numbers.map(|number| number as f32).collect()));
+        }
+        kernels.push(Kernel {
             name: shading.variant().to_string(),
             words,
             tables: program.tables().iter().map(table_numbers).collect(),
-            inputs: points.into_iter().flatten().map(|number| number as f32).collect(),
+            points: place,
             inputs_per_point: program.input_components(),
-        })
-    };
-    let kernels: Vec<Kernel> = shadings.iter().map(kernel).collect::<Result<_, _>>()?;
+        });
+    }
     let candidates: Vec<Candidate<'_>> = kernels
         .iter()
         .map(|kernel| Candidate {
@@ -165,13 +183,10 @@ fn times(device: &Device, shadings: &[&Shading]) -> Result<Vec<f64>, TuningError
                 workgroup_size: WORKGROUP_SIZE,
                 tables: &kernel.tables,
             },
-            inputs: &kernel.inputs,
+            inputs: &points[kernel.points].1,
             inputs_per_point: kernel.inputs_per_point,
             outputs_per_point: 3,
         })
         .collect();
-    // The longest of all makes the steadiest reference; only the absolute times are taken.
-    let reference = kernels.iter().max_by_key(|kernel| kernel.words.len()).map(|kernel| kernel.name.clone());
-    let timings = compare(device, &candidates, &reference.unwrap_or_default(), ROUNDS)?;
-    Ok(timings.timings.iter().map(|timing| timing.net.median).collect())
+    Ok(compare(device, &candidates, reference, ROUNDS)?)
 }

@@ -24,6 +24,8 @@ pub(super) const LEAST_COSINE: f64 = 0.01;
 const STARTS: usize = 6;
 const HALVINGS: usize = 7;
 const FIRST_STEP: f64 = 0.02;
+/// Two of the worst points that are listed differ in some input by more than this part of its range.
+const CLOSE: f64 = 0.04;
 
 /// How far a variant is from the exact reference.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
@@ -40,6 +42,19 @@ pub struct VariantErrors {
     pub max_delta_e: f64,
     /// The point with the largest, a number for each component of each input.
     pub worst_point: Vec<f64>,
+}
+
+/// A point where a variant is far from the exact reference.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct WorstPoint {
+    /// The point, a number for each component of each input of the reflectance.
+    pub inputs: Vec<f64>,
+    /// The reflectance by the exact reference.
+    pub exact: [f64; 3],
+    /// The reflectance by the variant.
+    pub found: [f64; 3],
+    /// CIEDE2000 between them.
+    pub delta_e: f64,
 }
 
 /// Compares variants of one scene with the exact reference, which is evaluated once.
@@ -80,15 +95,9 @@ impl Judge {
         let found = shading.evaluate_each(QUANTITY, &self.points);
         let difference = Difference::between(&found, &self.expected, 1);
         let differences = delta_e(&found, &self.expected, self.space);
-        let mut order: Vec<usize> = (0..differences.len()).collect();
-        order.sort_by(|&a, &b| differences[b].total_cmp(&differences[a]));
-        let (mut max_delta_e, mut worst_point) = (0.0, Vec::new());
-        for &start in order.iter().take(STARTS) {
-            let (largest, point) = self.climb(shading, &self.points[start], differences[start])?;
-            if largest > max_delta_e || worst_point.is_empty() {
-                (max_delta_e, worst_point) = (largest, point);
-            }
-        }
+        let order = descending(&differences);
+        let mut summits = self.summits(shading, &differences, &order[..STARTS.min(order.len())])?;
+        let (max_delta_e, worst_point) = if summits.is_empty() { (0.0, Vec::new()) } else { summits.swap_remove(0) };
         let at = |fraction: f64| differences[order[((1.0 - fraction) * order.len() as f64) as usize]];
         Ok(VariantErrors {
             max: difference.max,
@@ -100,13 +109,71 @@ impl Judge {
         })
     }
 
+    /// Points where a variant is furthest off, the worst first and none close to another: those that the search for the
+    /// largest dE2000 finds.
+    ///
+    /// # Errors
+    /// If a point cannot be evaluated.
+    pub fn worst_points(&self, shading: &Shading, count: usize) -> Result<Vec<WorstPoint>, MediaError> {
+        let found = shading.evaluate_each(QUANTITY, &self.points);
+        let differences = delta_e(&found, &self.expected, self.space);
+        let order = descending(&differences);
+        let (first, rest) = order.split_at(STARTS.min(order.len()));
+        let mut starts = first.to_vec();
+        for &place in rest {
+            if starts.len() == STARTS + count {
+                break;
+            }
+            if starts.iter().all(|&other| self.are_apart(&self.points[place], &self.points[other])) {
+                starts.push(place);
+            }
+        }
+        let mut points: Vec<Vec<f64>> = Vec::new();
+        for (_, point) in self.summits(shading, &differences, &starts)? {
+            if points.len() < count && points.iter().all(|other| self.are_apart(&point, other)) {
+                points.push(point);
+            }
+        }
+        let expected = shading.reference_each(QUANTITY, &points)?;
+        let found = shading.evaluate_each(QUANTITY, &points);
+        let differences = delta_e(&found, &expected, self.space);
+        let rows = points.into_iter().zip(expected).zip(found).zip(differences);
+        Ok(rows.map(|(((inputs, exact), found), delta_e)| WorstPoint { inputs, exact, found, delta_e }).collect())
+    }
+
+    /// The run-time inputs of the reflectance with the ranges that were searched.
+    pub fn inputs(&self) -> &[Input] {
+        &self.inputs
+    }
+
+    /// Whether two points differ in some input by more than a part of its range.
+    fn are_apart(&self, point: &[f64], other: &[f64]) -> bool {
+        self.ranges()
+            .iter()
+            .zip(point.iter().zip(other))
+            .any(|([low, high], (a, b))| (a - b).abs() > CLOSE * (high - low))
+    }
+
+    fn ranges(&self) -> Vec<[f64; 2]> {
+        self.inputs.iter().flat_map(|input| std::iter::repeat_n([input.low, input.high], input.components())).collect()
+    }
+
+    /// Where the search ends that starts at each of some places; the largest difference comes first.
+    fn summits(
+        &self,
+        shading: &Shading,
+        differences: &[f64],
+        starts: &[usize],
+    ) -> Result<Vec<(f64, Vec<f64>)>, MediaError> {
+        let ends = starts.iter().map(|&start| self.climb(shading, &self.points[start], differences[start]));
+        let mut ends = ends.collect::<Result<Vec<_>, _>>()?;
+        ends.sort_by(|(a, _), (b, _)| b.total_cmp(a));
+        Ok(ends)
+    }
+
     /// Goes from a point to neighbours with a larger difference, by steps that halve where there are none.
     fn climb(&self, shading: &Shading, start: &[f64], value: f64) -> Result<(f64, Vec<f64>), MediaError> {
-        let ranges: Vec<[f64; 2]> = self
-            .inputs
-            .iter()
-            .flat_map(|input| std::iter::repeat_n([input.low, input.high], input.components()))
-            .collect();
+        let ranges = self.ranges();
         let (mut best, mut point) = (value, start.to_vec());
         let mut step = FIRST_STEP;
         for _ in 0..HALVINGS {
@@ -143,6 +210,13 @@ pub(super) fn verified(shading: &Shading, count: usize) -> Result<(f64, f64), Me
 
 fn delta_e(found: &[[f64; 3]], expected: &[[f64; 3]], space: ColourSpace) -> Vec<f64> {
     found.iter().zip(expected).map(|(found, expected)| delta_e_of_linear(*found, *expected, space)).collect()
+}
+
+/// The places of some numbers, that of the largest first.
+fn descending(values: &[f64]) -> Vec<usize> {
+    let mut order: Vec<usize> = (0..values.len()).collect();
+    order.sort_by(|&a, &b| values[b].total_cmp(&values[a]));
+    order
 }
 
 fn space(shading: &Shading) -> ColourSpace {

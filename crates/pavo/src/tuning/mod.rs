@@ -3,9 +3,11 @@
 
 mod cost;
 mod error;
+mod measured;
 
-pub use cost::{CostKind, Meter};
-pub use error::{Judge, VariantErrors};
+pub use cost::{CostKind, Meter, time};
+pub use error::{Judge, VariantErrors, WorstPoint};
+pub use measured::Measured;
 
 use crate::fitting::FitCache;
 use crate::media::MediaError;
@@ -104,7 +106,8 @@ impl From<crate::roads::RoadError> for TuningError {
     }
 }
 
-/// Measures the variants of a scene. `progress` is told the number of variants, and each one's name as its turn comes.
+/// Measures the variants of a scene by one kind of cost. `progress` is told the number of variants, and each one's name
+/// as its turn comes.
 ///
 /// # Errors
 /// A scene whose data cannot be had, or a cost that cannot be measured. A variant that cannot be made for the scene is no
@@ -113,51 +116,16 @@ pub fn tune(
     scene: &Scene,
     kind: &CostKind,
     cache: &dyn FitCache,
-    progress: &dyn Fn(usize, &str),
+    progress: &(dyn Fn(usize, &str) + Sync),
 ) -> Result<Tuning, TuningError> {
-    let candidates = Variant::candidates_for(scene);
-    let names: Vec<String> = candidates.iter().map(Variant::to_string).collect();
-    let key = format!("tuning 2 {} {} {names:?}", scene_key(scene), kind.name());
-    if let Some(kept) = cache.load(&key).and_then(|text| serde_json::from_str(&text).ok()) {
-        return Ok(kept);
-    }
-    let judge = Judge::new(scene)?;
-    let mut made: Vec<(Shading, VariantErrors)> = Vec::new();
-    let mut refused = Vec::new();
-    for variant in &candidates {
-        progress(candidates.len(), &variant.to_string());
-        match Shading::with_cache(scene, variant, cache) {
-            Ok(shading) => {
-                let errors = judge.errors(&shading)?;
-                made.push((shading, errors));
-            }
-            Err(ShadingError::Variant { cause, .. }) => refused.push((variant.to_string(), cause)),
-            Err(error) => return Err(error.into()),
+    match load(cache, &measured::tuning_key(scene, kind)) {
+        Some(kept) => Ok(kept),
+        None => {
+            let measured = Measured::new(scene, cache, progress)?;
+            progress(measured.count(), &format!("costs by {}", kind.name()));
+            measured.by(kind, cache)
         }
     }
-    progress(candidates.len(), &format!("costs by {}", kind.name()));
-    let shadings: Vec<&Shading> = made.iter().map(|(shading, _)| shading).collect();
-    let costs = Meter::new(kind)?.costs(&shadings)?;
-    let mut rows: Vec<Row> = made
-        .iter()
-        .zip(costs)
-        .map(|((shading, errors), cost)| Row {
-            variant: shading.variant().to_string(),
-            errors: errors.clone(),
-            cost,
-            on_frontier: false,
-        })
-        .collect();
-    rows.sort_by(|a, b| a.cost.total_cmp(&b.cost).then(a.errors.max_delta_e.total_cmp(&b.errors.max_delta_e)));
-    mark_frontier(&mut rows);
-    let tuning = Tuning { cost: kind.name().to_owned(), rows, refused };
-    // Times differ from run to run: what was measured once is not kept for the next.
-    if kind.is_repeatable()
-        && let Ok(text) = serde_json::to_string(&tuning)
-    {
-        cache.store(&key, &text);
-    }
-    Ok(tuning)
 }
 
 /// The variant that keeps to a budget, verified on points that it was not chosen by.
@@ -166,13 +134,11 @@ pub fn tune(
 /// If none keeps to it, or the points cannot be evaluated.
 pub fn pick(scene: &Scene, tuning: &Tuning, budget: Budget, cache: &dyn FitCache) -> Result<Pick, TuningError> {
     let key = format!("pick 1 {} {budget:?} {tuning:?}", scene_key(scene));
-    if let Some(kept) = cache.load(&key).and_then(|text| serde_json::from_str(&text).ok()) {
+    if let Some(kept) = load(cache, &key) {
         return Ok(kept);
     }
     let picked = verified_pick(scene, tuning, budget, cache)?;
-    if let Ok(text) = serde_json::to_string(&picked) {
-        cache.store(&key, &text);
-    }
+    store(cache, &key, &picked);
     Ok(picked)
 }
 
@@ -190,14 +156,13 @@ fn verified_pick(scene: &Scene, tuning: &Tuning, budget: Budget, cache: &dyn Fit
     for row in eligible {
         let Ok(variant) = row.variant.parse::<Variant>() else { continue };
         let shading = Shading::with_cache(scene, &variant, cache)?;
-        let (max_delta_e, rms) = error::verified(&shading, VERIFIED_POINTS)?;
+        let pick = verify(&shading)?;
         if let Budget::MaxDeltaE(limit) = budget
-            && max_delta_e > limit
+            && pick.verified_max_delta_e > limit
         {
             continue;
         }
-        let variant = row.variant.clone();
-        return Ok(Pick { variant, verified_max_delta_e: max_delta_e, verified_rms: rms });
+        return Ok(pick);
     }
     let closest = match budget {
         Budget::MaxDeltaE(limit) => frontier.clone().next_back().map(|row| {
@@ -214,12 +179,32 @@ fn verified_pick(scene: &Scene, tuning: &Tuning, budget: Budget, cache: &dyn Fit
     })
 }
 
+/// A variant, whether it keeps to a budget or not, with its errors over [`VERIFIED_POINTS`] points.
+///
+/// # Errors
+/// If the points cannot be evaluated.
+pub fn verify(shading: &Shading) -> Result<Pick, TuningError> {
+    let (verified_max_delta_e, verified_rms) = error::verified(shading, VERIFIED_POINTS)?;
+    Ok(Pick { variant: shading.variant().to_string(), verified_max_delta_e, verified_rms })
+}
+
 /// Marks the rows, which are sorted by cost, that are closer than all cheaper ones.
 fn mark_frontier(rows: &mut [Row]) {
     let mut least = f64::INFINITY;
     for row in rows {
         row.on_frontier = row.errors.max_delta_e < least;
         least = least.min(row.errors.max_delta_e);
+    }
+}
+
+/// What was stored under a key, if it can still be read.
+fn load<T: serde::de::DeserializeOwned>(cache: &dyn FitCache, key: &str) -> Option<T> {
+    cache.load(key).and_then(|text| serde_json::from_str(&text).ok())
+}
+
+fn store(cache: &dyn FitCache, key: &str, value: &impl Serialize) {
+    if let Ok(text) = serde_json::to_string(value) {
+        cache.store(key, &text);
     }
 }
 

@@ -143,7 +143,7 @@ fn to_srgb(color: [f64; 3], space: ColourSpace, gain: f64) -> RGBColor {
 }
 
 /// Black over red and yellow to white, for 0 to 1.
-fn heat(level: f64) -> RGBColor {
+pub(in crate::cli) fn heat(level: f64) -> RGBColor {
     let [red, green, blue] = [0.0, 1.0, 2.0].map(|start| ((3.0 * level - start).clamp(0.0, 1.0) * 255.0).round() as u8);
     RGBColor(red, green, blue)
 }
