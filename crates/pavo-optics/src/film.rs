@@ -134,8 +134,9 @@ pub fn film_wave<R: Real>(total_reflection: bool, cos_theta1: R, ambient_ior: R,
         let q2_squared = square.max(smallest).named("q2_squared");
         (q2_squared, q2_squared)
     };
-    let q2_inverse = modulus.inverse_sqrt().named("q2_inverse");
-    FilmWave { q2_squared, q2: (modulus * q2_inverse).named("q2"), q2_inverse }
+    // The root itself is exact to the last bit, as the phase needs it.
+    let q2 = modulus.sqrt().named("q2");
+    FilmWave { q2_squared, q2, q2_inverse: (R::lit(1.0) / q2).named("q2_inverse") }
 }
 
 /// Normal wave vector components in the base.

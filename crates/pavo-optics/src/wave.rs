@@ -41,10 +41,8 @@ pub fn normal_component_absorbing<R: Real>(
     let real = normal_component_squared(cos_theta1, ambient_ior, ior) - kappa * kappa;
     let half_imaginary = ior * kappa;
     let modulus = (real * real + 4.0 * (half_imaginary * half_imaginary)).sqrt();
-    let larger_squared = ((modulus + real.abs()) * 0.5).max(1e-30);
-    let inverse = larger_squared.inverse_sqrt();
-    let larger = larger_squared * inverse;
-    let smaller = half_imaginary * inverse;
+    let larger = ((modulus + real.abs()) * 0.5).max(1e-30).sqrt();
+    let smaller = half_imaginary / larger;
     let is_metallic = real.less_than(R::lit(0.0));
     let re = R::select(is_metallic, smaller, larger);
     let im = R::select(is_metallic, larger, smaller);

@@ -275,6 +275,9 @@ pub struct Tune {
     /// Pick the cheapest variant whose largest dE2000 is at most this [default: the scene's budget, or 1].
     #[arg(long, value_name = "DE", conflicts_with = "max_cost")]
     pub max_delta_e: Option<f64>,
+    /// Pick the cheapest variant whose root of the mean square error is at most this.
+    #[arg(long, value_name = "ERROR", conflicts_with_all = ["max_cost", "max_delta_e"])]
+    pub max_rms: Option<f64>,
     /// Pick the closest variant that costs at most this.
     #[arg(long, value_name = "COST")]
     pub max_cost: Option<f64>,
@@ -284,6 +287,9 @@ pub struct Tune {
     /// Measure the time on the Vulkan device whose name contains this.
     #[arg(long, value_name = "NAME", conflicts_with = "cost")]
     pub device: Option<String>,
+    /// Let variants be picked that read tables of many constants: what counts costs sees no cache that they do not fit.
+    #[arg(long)]
+    pub tables: bool,
     /// List the variants off the frontier too, and why some cannot be made.
     #[arg(long)]
     pub all: bool,

@@ -23,13 +23,17 @@ pub fn run(arguments: &arguments::Tune) -> Result<(), Failure> {
             Err(Failure::input(format!("a budget of {limit}"), "a budget is a number above 0"))
         }
     };
-    let budget = match (arguments.max_cost, arguments.max_delta_e) {
-        (Some(cost), _) => Budget::MaxCost(limit(cost)?),
-        (None, Some(delta_e)) => Budget::MaxDeltaE(limit(delta_e)?),
-        (None, None) => Budget::MaxDeltaE(scene.budget.max_delta_e.unwrap_or(DEFAULT_MAX_DELTA_E)),
+    let budget = match (arguments.max_cost, arguments.max_rms, arguments.max_delta_e) {
+        (Some(cost), _, _) => Budget::MaxCost(limit(cost)?),
+        (None, Some(rms), _) => Budget::MaxRms(limit(rms)?),
+        (None, None, Some(delta_e)) => Budget::MaxDeltaE(limit(delta_e)?),
+        (None, None, None) => Budget::MaxDeltaE(scene.budget.max_delta_e.unwrap_or(DEFAULT_MAX_DELTA_E)),
     };
     let cache = DiskCache::open();
-    let tuning = measure(&scene, &kind, &cache)?;
+    let mut tuning = measure(&scene, &kind, &cache)?;
+    if arguments.tables {
+        tuning = tuning.with_tables();
+    }
     let picked = pick(&scene, &tuning, budget, &cache);
     if arguments.json {
         let pick = picked.as_ref().ok();
@@ -55,14 +59,18 @@ pub fn measure(scene: &Scene, kind: &CostKind, cache: &DiskCache) -> Result<Tuni
 
 fn report(scene: &Scene, tuning: &Tuning, unit: &str, all: bool) -> String {
     let mut text = format!(
-        "{} by cost ({}, {unit}) and error against the exact reference; * marks the frontier:\n\n  {:<44} {:>9} {:>9} {:>9} {:>8} {:>8} {:>8}\n",
+        "{} by cost ({}, {unit}) and error against the exact reference; * marks the frontier, t what reads tables:\n\n  {:<44} {:>9} {:>9} {:>9} {:>8} {:>8} {:>8}\n",
         scene.name, tuning.cost, "variant", "cost", "RMS", "max", "mean dE", "95% dE", "max dE"
     );
     for row in tuning.rows.iter().filter(|row| all || row.on_frontier) {
         let errors = &row.errors;
         text.push_str(&format!(
             "{} {:<44} {:>9.4} {:>9.2e} {:>9.2e} {:>8.3} {:>8.3} {:>8.3}\n",
-            if row.on_frontier { "*" } else { " " },
+            match row.on_frontier {
+                true => "*",
+                false if row.reads_tables() && !tuning.has_tables => "t",
+                false => " ",
+            },
             row.variant,
             row.cost,
             errors.rms,
@@ -72,10 +80,13 @@ fn report(scene: &Scene, tuning: &Tuning, unit: &str, all: bool) -> String {
             errors.max_delta_e
         ));
     }
-    let hidden = tuning.rows.iter().filter(|row| !row.on_frontier).count();
+    let hidden = || tuning.rows.iter().filter(|row| !row.on_frontier);
+    let tables = if tuning.has_tables { 0 } else { hidden().filter(|row| row.reads_tables()).count() };
     if !all {
         text.push_str(&format!(
-            "\n{hidden} others are both dearer and further off, and {} cannot be made for this scene: see --all.\n",
+            "\n{} others are both dearer and further off, {tables} read tables (see --tables), and {} cannot be made for \
+             this scene: see --all.\n",
+            hidden().count() - tables,
             tuning.refused.len()
         ));
         return text;
@@ -89,6 +100,7 @@ fn report(scene: &Scene, tuning: &Tuning, unit: &str, all: bool) -> String {
 fn said(pick: &Pick, budget: Budget) -> String {
     let limit = match budget {
         Budget::MaxDeltaE(limit) => format!("a dE2000 of {limit} at most"),
+        Budget::MaxRms(limit) => format!("an RMS error of {limit} at most"),
         Budget::MaxCost(limit) => format!("a cost of {limit} at most"),
     };
     format!(

@@ -98,8 +98,9 @@ impl<'a> Measured<'a> {
         };
         let mut rows: Vec<Row> = self.made.iter().zip(costs).map(row).collect();
         rows.sort_by(|a, b| a.cost.total_cmp(&b.cost).then(a.errors.max_delta_e.total_cmp(&b.errors.max_delta_e)));
-        mark_frontier(&mut rows);
-        let tuning = Tuning { cost: kind.name().to_owned(), rows, refused: self.refused.clone() };
+        mark_frontier(&mut rows, false);
+        let refused = self.refused.clone();
+        let tuning = Tuning { cost: kind.name().to_owned(), has_tables: false, rows, refused };
         // Times differ from run to run: what was measured once is not kept for the next.
         if kind.is_repeatable() {
             store(cache, &key, &tuning);
@@ -111,5 +112,5 @@ impl<'a> Measured<'a> {
 /// Under what the measurement by a kind of cost is kept.
 pub(super) fn tuning_key(scene: &Scene, kind: &CostKind) -> String {
     let candidates: Vec<String> = Variant::candidates_for(scene).iter().map(Variant::to_string).collect();
-    format!("tuning 2 {} {} {candidates:?}", scene_key(scene), kind.name())
+    format!("tuning 3 {} {} {candidates:?}", scene_key(scene), kind.name())
 }

@@ -30,6 +30,8 @@ pub const VERIFIED_POINTS: usize = 20_000;
 pub enum Budget {
     /// The largest dE2000; of what keeps to it the cheapest is picked.
     MaxDeltaE(f64),
+    /// The largest root of the mean square error; of what keeps to it the cheapest is picked.
+    MaxRms(f64),
     /// The largest cost; of what keeps to it the one with the smallest largest dE2000 is picked.
     MaxCost(f64),
 }
@@ -43,7 +45,8 @@ pub struct Row {
     pub errors: VariantErrors,
     /// Its cost, in the unit of the [`CostKind`].
     pub cost: f64,
-    /// Whether no other variant is both cheaper and closer.
+    /// Whether no other variant is both cheaper and closer by its largest dE2000; never for what reads tables, unless
+    /// [`Tuning::with_tables`].
     pub on_frontier: bool,
 }
 
@@ -52,6 +55,8 @@ pub struct Row {
 pub struct Tuning {
     /// What the costs count.
     pub cost: String,
+    /// Whether what reads tables of constants may be on the frontier.
+    pub has_tables: bool,
     /// The variants that can be made, the cheapest first.
     pub rows: Vec<Row>,
     /// The variants that cannot be made, with the reason.
@@ -143,12 +148,13 @@ pub fn pick(scene: &Scene, tuning: &Tuning, budget: Budget, cache: &dyn FitCache
 }
 
 fn verified_pick(scene: &Scene, tuning: &Tuning, budget: Budget, cache: &dyn FitCache) -> Result<Pick, TuningError> {
-    let frontier = tuning.rows.iter().filter(|row| row.on_frontier);
-    let keeps = |row: &&Row| match budget {
+    let frontier = tuning.frontier(budget);
+    let keeps = |row: &&&Row| match budget {
         Budget::MaxDeltaE(limit) => row.errors.max_delta_e <= limit,
+        Budget::MaxRms(limit) => row.errors.rms <= limit,
         Budget::MaxCost(limit) => row.cost <= limit,
     };
-    let mut eligible: Vec<&Row> = frontier.clone().filter(keeps).collect();
+    let mut eligible: Vec<&Row> = frontier.iter().filter(keeps).copied().collect();
     // The frontier runs from the cheapest to the closest.
     if matches!(budget, Budget::MaxCost(_)) {
         eligible.reverse();
@@ -157,20 +163,24 @@ fn verified_pick(scene: &Scene, tuning: &Tuning, budget: Budget, cache: &dyn Fit
         let Ok(variant) = row.variant.parse::<Variant>() else { continue };
         let shading = Shading::with_cache(scene, &variant, cache)?;
         let pick = verify(&shading)?;
-        if let Budget::MaxDeltaE(limit) = budget
-            && pick.verified_max_delta_e > limit
-        {
-            continue;
+        let is_kept = match budget {
+            Budget::MaxDeltaE(limit) => pick.verified_max_delta_e <= limit,
+            Budget::MaxRms(limit) => pick.verified_rms <= limit,
+            Budget::MaxCost(_) => true,
+        };
+        if is_kept {
+            return Ok(pick);
         }
-        return Ok(pick);
     }
     let closest = match budget {
-        Budget::MaxDeltaE(limit) => frontier.clone().next_back().map(|row| {
+        Budget::MaxDeltaE(limit) => frontier.last().map(|row| {
             format!("{} has a dE2000 of {:.3}, and {limit} is allowed", row.variant, row.errors.max_delta_e)
         }),
+        Budget::MaxRms(limit) => frontier
+            .last()
+            .map(|row| format!("{} has an RMS error of {:.2e}, and {limit} is allowed", row.variant, row.errors.rms)),
         Budget::MaxCost(limit) => frontier
-            .clone()
-            .next()
+            .first()
             .map(|row| format!("{} costs {:.4} by {}, and {limit} is allowed", row.variant, row.cost, tuning.cost)),
     };
     Err(TuningError::Budget {
@@ -188,13 +198,51 @@ pub fn verify(shading: &Shading) -> Result<Pick, TuningError> {
     Ok(Pick { variant: shading.variant().to_string(), verified_max_delta_e, verified_rms })
 }
 
-/// Marks the rows, which are sorted by cost, that are closer than all cheaper ones.
-fn mark_frontier(rows: &mut [Row]) {
-    let mut least = f64::INFINITY;
-    for row in rows {
-        row.on_frontier = row.errors.max_delta_e < least;
-        least = least.min(row.errors.max_delta_e);
+impl Tuning {
+    /// The same with tables of constants among what may be picked. What counts costs sees no cache that they do not fit,
+    /// and some compilers copy them into registers: elsewhere they are listed, but not picked.
+    pub fn with_tables(mut self) -> Self {
+        self.has_tables = true;
+        mark_frontier(&mut self.rows, true);
+        self
     }
+
+    /// The variants that no other one beats in both cost and what the budget limits, the cheapest first.
+    fn frontier(&self, budget: Budget) -> Vec<&Row> {
+        let rows = self.rows.iter().filter(|row| self.has_tables || !row.reads_tables());
+        match budget {
+            Budget::MaxRms(_) => closer_than_all_cheaper(rows, |row| row.errors.rms),
+            Budget::MaxDeltaE(_) | Budget::MaxCost(_) => self.rows.iter().filter(|row| row.on_frontier).collect(),
+        }
+    }
+}
+
+impl Row {
+    /// Whether the emitted code reads a table of many constants.
+    pub fn reads_tables(&self) -> bool {
+        self.variant.parse::<Variant>().is_ok_and(|variant| variant.reads_tables())
+    }
+}
+
+/// Marks the rows, which are sorted by cost, that are closer than all cheaper ones.
+fn mark_frontier(rows: &mut [Row], has_tables: bool) {
+    let candidates = rows.iter().filter(|row| has_tables || !row.reads_tables());
+    let names: Vec<String> = closer_than_all_cheaper(candidates, |row| row.errors.max_delta_e)
+        .iter()
+        .map(|row| row.variant.clone())
+        .collect();
+    rows.iter_mut().for_each(|row| row.on_frontier = names.contains(&row.variant));
+}
+
+/// Of rows sorted by cost those whose error is below that of all before them.
+fn closer_than_all_cheaper<'a>(rows: impl Iterator<Item = &'a Row>, error: impl Fn(&Row) -> f64) -> Vec<&'a Row> {
+    let mut least = f64::INFINITY;
+    rows.filter(|row| {
+        let is_closer = error(row) < least;
+        least = least.min(error(row));
+        is_closer
+    })
+    .collect()
 }
 
 /// What was stored under a key, if it can still be read.
@@ -224,14 +272,24 @@ mod tests {
 
     #[test]
     fn the_frontier_is_what_no_other_beats_in_both() {
-        let row = |cost: f64, max_delta_e: f64| Row {
-            variant: String::new(),
+        let row = |variant: &str, cost: f64, max_delta_e: f64| Row {
+            variant: variant.to_owned(),
             errors: VariantErrors { max_delta_e, ..VariantErrors::default() },
             cost,
             on_frontier: false,
         };
-        let mut rows = [row(1.0, 9.0), row(2.0, 9.5), row(3.0, 2.0), row(3.0, 2.0), row(4.0, 1.0)];
-        mark_frontier(&mut rows);
-        assert_eq!(rows.map(|row| row.on_frontier), [true, false, true, false, true]);
+        let mut rows = [
+            row("a", 1.0, 9.0),
+            row("b", 2.0, 9.5),
+            row("table:8x8", 2.5, 1.5),
+            row("c", 3.0, 2.0),
+            row("d", 3.0, 2.0),
+            row("e", 4.0, 1.0),
+        ];
+        let on_frontier = |rows: &[Row; 6]| rows.each_ref().map(|row| row.on_frontier);
+        mark_frontier(&mut rows, false);
+        assert_eq!(on_frontier(&rows), [true, false, false, true, false, true]);
+        mark_frontier(&mut rows, true);
+        assert_eq!(on_frontier(&rows), [true, false, true, false, false, true]);
     }
 }

@@ -39,16 +39,18 @@ impl Variant {
         let windowed = windowed.map(|(count, groups)| Variant::Windowed { count, groups });
         let cosines = [(4, 1), (6, 1), (6, 2)].map(|(count, order)| Variant::Cosines { count, order });
         let nodes = [6, 8, 10, 16].map(|count| Variant::Nodes { count });
-        let spectral = [16, 32, 81].map(|count| Variant::Spectral { count });
+        let spectral = [16, 32, 81, 161].map(|count| Variant::Spectral { count });
         let baked = [(4, 0), (6, 0), (8, 0), (12, 0), (5, 4)];
         let baked = baked.map(|(degree, denominator)| Variant::Baked { degree, denominator });
-        let tables = [(32, 1), (32, 64)].map(|(angles, thicknesses)| Variant::Table { angles, thicknesses });
+        let tables = [(32, 1), (32, 64), (32, 128)].map(|(angles, thicknesses)| Variant::Table { angles, thicknesses });
         let scene_fits = [
             (FittedForm::AngleOnly, 1),
             (FittedForm::FirstOrder, 3),
             (FittedForm::Kernel, 3),
             (FittedForm::Kernel, 4),
+            (FittedForm::Kernel, 5),
             (FittedForm::DampedKernel, 4),
+            (FittedForm::DampedKernel, 5),
             (FittedForm::DampedKernel, 6),
             (FittedForm::CorrectedKernel, 6),
             (FittedForm::ThreeOrders, 4),

@@ -179,6 +179,13 @@ pub enum Variant {
     },
 }
 
+impl Variant {
+    /// Whether the emitted code reads a table of many constants.
+    pub fn reads_tables(&self) -> bool {
+        matches!(self, Variant::Table { .. } | Variant::Series { fit: Fit::Exact, .. })
+    }
+}
+
 impl fmt::Display for Variant {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
