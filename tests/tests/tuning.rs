@@ -2,11 +2,11 @@
 
 use pavo::points::spread;
 use pavo::scene::Scene;
-use pavo::tuning::{Budget, CostKind, TuningError, pick, tune};
+use pavo::tuning::{Budget, CostKind, DEFAULT_MAX_DELTA_E, TuningError, pick, tune};
 use pavo::{NoCache, Shading, ShadingQuantity, Variant};
 use pavo_spectra::ColourSpace;
 use pavo_spectra::delta_e::delta_e_of_linear;
-use pavo_tests::{run, scene_file};
+use pavo_tests::{SCENES, run, scene_file};
 
 const PROGRAM: &str = env!("CARGO_BIN_EXE_pavo-under-test");
 const QUANTITY: ShadingQuantity = ShadingQuantity::Reflectance;
@@ -25,19 +25,18 @@ fn largest_delta_e(scene: &Scene, variant: &str) -> f64 {
 }
 
 #[test]
-fn the_pick_keeps_to_its_budget() {
-    for name in ["coated-lens"] {
+fn the_pick_for_each_starter_scene_keeps_to_its_budget() {
+    for name in SCENES {
         let scene = Scene::load(&scene_file(name)).unwrap_or_else(|error| panic!("{name}: {error}"));
         let tuning = tune(&scene, &CostKind::Operations, &NoCache, &|_, _| {}).expect("it can be measured");
         let frontier: Vec<_> = tuning.rows.iter().filter(|row| row.on_frontier).collect();
         assert!(frontier.is_sorted_by(|a, b| a.cost <= b.cost && a.errors.max_delta_e > b.errors.max_delta_e));
-        for limit in [2.0, 0.5] {
-            let picked = pick(&scene, &tuning, Budget::MaxDeltaE(limit), &NoCache);
-            let picked = picked.unwrap_or_else(|error| panic!("{name}: {error}"));
-            let largest = largest_delta_e(&scene, &picked.variant);
-            println!("{name}, {limit}: {} {largest:.3}", picked.variant);
-            assert!(largest <= limit, "{name}: {} has {largest}, allowed {limit}", picked.variant);
-        }
+        let limit = scene.budget.max_delta_e.unwrap_or(DEFAULT_MAX_DELTA_E);
+        let picked = pick(&scene, &tuning, Budget::MaxDeltaE(limit), &NoCache);
+        let picked = picked.unwrap_or_else(|error| panic!("{name}: {error}"));
+        let largest = largest_delta_e(&scene, &picked.variant);
+        println!("{name}: {} has {largest:.3} of {limit}", picked.variant);
+        assert!(largest <= limit, "{name}: {} has {largest}, allowed {limit}", picked.variant);
         let refused = pick(&scene, &tuning, Budget::MaxCost(0.5), &NoCache);
         assert!(matches!(refused, Err(TuningError::Budget { .. })), "{name}: {refused:?}");
     }
