@@ -76,7 +76,9 @@ impl<P: Policy> Emulated<P> {
         if P::SINE_ERROR == 0.0 && !P::TURNS {
             return Self::new(native);
         }
-        Self::new((exact(self.angle()) + P::SINE_ERROR * noise([self.value, 0.0, native])) as f32)
+        // Rounding adds up to half the distance between numbers above 1.
+        let error = (P::SINE_ERROR - 0.5 * f64::from(f32::EPSILON)).max(0.0);
+        Self::new((exact(self.angle()) + error * noise([self.value, 0.0, native])) as f32)
     }
 }
 

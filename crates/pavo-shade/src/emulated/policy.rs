@@ -23,7 +23,7 @@ pub trait Policy: Copy + Debug + PartialEq + 'static {
     const INVERSE_ROOT_ULP: f64 = 0.0;
     /// Error of an exponential, ulp, 0 or at least 0.5: a constant, and what each unit of the exponent adds to it.
     const EXPONENTIAL_ULP: [f64; 2] = [0.0, 0.0];
-    /// Error of a sine or a cosine, absolute, for any angle.
+    /// Error of a sine or a cosine, absolute and with its rounding, for any angle.
     const SINE_ERROR: f64 = 0.0;
     /// Whether an angle is taken in turns first, times `1 / (2 pi)` in `f32`: large angles lose what that rounds.
     const TURNS: bool = false;
