@@ -61,8 +61,8 @@ type Measure = fn(&Film, [f64; 3]) -> f64;
 /// Bounds of the error for each method and surface, by arithmetic: what was measured and up to twice as much.
 ///
 /// Rounding, contraction and flushing do next to nothing; the error of sines comes through, under a window several times
-/// over, since its phases follow from two of them by a recurrence. In half precision the square of a length is infinite,
-/// and with it the window and the Gaussians are closed: the film has one colour there. Poles need no squares of lengths.
+/// over, since its phases follow from two of them by a recurrence. In half precision the square of a path above 255 nm is
+/// infinite, which closes the window and the Gaussians: there the film loses its colour. Poles need no squares of paths.
 const BOUNDS: [(&str, &str, [f64; 7]); 6] = [
     ("windowed", "soap", [2e-6, 2e-6, 2e-6, 3e-3, 6e-6, 5e-3, 0.6]),
     ("windowed", "metal", [3e-6, 3e-6, 3e-6, 4e-3, 7e-6, 8e-3, 0.4]),

@@ -47,20 +47,23 @@ impl<const N: usize> Dual<N> {
         })
     }
 
-    /// A function of this number, by its value and its slope there. What does not change has no derivative, however
-    /// steep the function is.
+    /// A function of this number, by its value and its slope there.
     fn chain(self, value: f64, slope: f64) -> Self {
-        let derivatives =
-            self.derivatives.map(|derivative| if derivative == 0.0 { 0.0 } else { slope * derivative });
-        Self { value, derivatives }
+        Self { value, derivatives: self.derivatives.map(|derivative| along(slope, derivative)) }
     }
 
-    /// A function of two numbers, by its value and its derivatives, each from those of the operands.
-    fn combine(self, other: Self, value: f64, derivative: impl Fn(f64, f64) -> f64) -> Self {
-        let derivatives =
-            core::array::from_fn(|index| derivative(self.derivatives[index], other.derivatives[index]));
+    /// A function of two numbers, by its value and its slopes along each.
+    fn chain2(self, other: Self, value: f64, [slope, other_slope]: [f64; 2]) -> Self {
+        let derivatives = core::array::from_fn(|index| {
+            along(slope, self.derivatives[index]) + along(other_slope, other.derivatives[index])
+        });
         Self { value, derivatives }
     }
+}
+
+/// The change of a function of this slope. What does not change its argument does not change it, however steep it is.
+fn along(slope: f64, derivative: f64) -> f64 {
+    if derivative == 0.0 { 0.0 } else { slope * derivative }
 }
 
 impl<const N: usize> From<Dual<N>> for f64 {
@@ -72,21 +75,21 @@ impl<const N: usize> From<Dual<N>> for f64 {
 impl<const N: usize> Add for Dual<N> {
     type Output = Self;
     fn add(self, other: Self) -> Self {
-        self.combine(other, self.value + other.value, |a, b| a + b)
+        self.chain2(other, self.value + other.value, [1.0, 1.0])
     }
 }
 
 impl<const N: usize> Sub for Dual<N> {
     type Output = Self;
     fn sub(self, other: Self) -> Self {
-        self.combine(other, self.value - other.value, |a, b| a - b)
+        self.chain2(other, self.value - other.value, [1.0, -1.0])
     }
 }
 
 impl<const N: usize> Mul for Dual<N> {
     type Output = Self;
     fn mul(self, other: Self) -> Self {
-        self.combine(other, self.value * other.value, |a, b| a * other.value + self.value * b)
+        self.chain2(other, self.value * other.value, [other.value, self.value])
     }
 }
 
@@ -94,7 +97,7 @@ impl<const N: usize> Div for Dual<N> {
     type Output = Self;
     fn div(self, other: Self) -> Self {
         let quotient = self.value / other.value;
-        self.combine(other, quotient, |a, b| (a - quotient * b) / other.value)
+        self.chain2(other, quotient, [1.0 / other.value, -quotient / other.value])
     }
 }
 

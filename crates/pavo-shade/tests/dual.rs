@@ -72,7 +72,11 @@ fn derivatives_of_random_programs_are_those_of_differences() {
                 counts.set([checked + 1, unknown]);
                 let found = dual.derivatives[variable];
                 let scale = 1.0 + dual.value.abs() + expected.abs();
-                prop_assert!((found - expected).abs() <= 1e-6 * scale, "by {variable}: {found}, not {expected} at {}", dual.value);
+                prop_assert!(
+                    (found - expected).abs() <= 1e-6 * scale,
+                    "by {variable}: {found}, not {expected} at {}",
+                    dual.value
+                );
             }
         }
         Ok(())
@@ -125,7 +129,8 @@ fn what_is_no_number_passes_through() {
         let [x, y] = Dual::variables([special, 2.0]);
         let values = [x + y, x - y, x * y, x / y, y / x, -x, x.sqrt(), x.inverse_sqrt(), x.sin(), x.cos(), x.exp()];
         let z = special;
-        let plain = [z + 2.0, z - 2.0, z * 2.0, z / 2.0, 2.0 / z, -z, z.sqrt(), 1.0 / z.sqrt(), z.sin(), z.cos(), z.exp()];
+        let plain =
+            [z + 2.0, z - 2.0, z * 2.0, z / 2.0, 2.0 / z, -z, z.sqrt(), 1.0 / z.sqrt(), z.sin(), z.cos(), z.exp()];
         for (index, (value, plain)) in values.into_iter().zip(plain).enumerate() {
             assert!(same_number(value.value, plain) || plain.is_nan(), "{index} at {z}: {value:?}, not {plain}");
         }

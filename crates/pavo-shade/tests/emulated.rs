@@ -45,7 +45,8 @@ fn emulation_gives_the_same_bits_each_time() {
     let config = Config { cases: 200, failure_persistence: None, ..Config::default() };
     let mut runner = TestRunner::new_with_rng(config, TestRng::deterministic_rng(RngAlgorithm::ChaCha));
     let outcome = runner.run(&program(), |(steps, point)| {
-        let run = || values(&steps, point.map(Emulated::<Vulkan>::lit)).into_iter().map(|number| number.value().to_bits());
+        let run =
+            || values(&steps, point.map(Emulated::<Vulkan>::lit)).into_iter().map(|number| number.value().to_bits());
         prop_assert!(run().eq(run()));
         Ok(())
     });
@@ -150,7 +151,7 @@ fn errors_use_what_the_policy_allows_and_no_more() {
         largest_error::<Loose>(|a, _| a.cos(), |a, _| a.cos(), absolute(4e-7)),
     ];
     for found in sines {
-        assert!(found <= 1.0 && found >= 0.7, "a sine: {found}");
+        assert!((0.7..=1.0).contains(&found), "a sine: {found}");
     }
 }
 

@@ -37,12 +37,10 @@ fn each_number_rounds_to_the_nearest() {
 #[test]
 fn what_is_no_number_passes_through() {
     assert!(rounded(f64::NAN).is_nan());
-    assert_eq!([f64::INFINITY, f64::NEG_INFINITY, 1e300, 1e-300].map(rounded), [
-        f64::INFINITY,
-        f64::NEG_INFINITY,
-        f64::INFINITY,
-        0.0
-    ]);
+    assert_eq!(
+        [f64::INFINITY, f64::NEG_INFINITY, 1e300, 1e-300].map(rounded),
+        [f64::INFINITY, f64::NEG_INFINITY, f64::INFINITY, 0.0]
+    );
     assert!(rounded(-0.0).is_sign_negative() && rounded(-1e-300).is_sign_negative());
     assert!(f64::from(Half::lit(-1.0).sqrt()).is_nan());
     assert_eq!(f64::from(Half::lit(0.0).inverse_sqrt()), f64::INFINITY);
@@ -63,7 +61,11 @@ fn each_operation_is_rounded() {
         ("a sine", lit(1.0).sin(), 0.841_308_593_75),
         ("an exponential", lit(-20.0).exp(), 0.0),
         ("the next whole number below", lit(-1.5).floor(), -2.0),
-        ("a scalar product", pavo_shade::Triple([lit(2048.0), lit(1.0), lit(1.0)]).dot(Vector::splat(lit(1.0))), 2048.0),
+        (
+            "a scalar product",
+            pavo_shade::Triple([lit(2048.0), lit(1.0), lit(1.0)]).dot(Vector::splat(lit(1.0))),
+            2048.0,
+        ),
     ];
     for (name, found, expected) in cases {
         assert_eq!(f64::from(found), expected, "{name}");

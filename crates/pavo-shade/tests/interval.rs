@@ -1,7 +1,7 @@
 //! Intervals enclose what their operations give, in `f64` and in `f32`.
 
-use pavo_shade::interval::{Double, Interval, IntervalVec3, Precision, Single};
 use pavo_shade::emulated::{Emulated, Loose};
+use pavo_shade::interval::{Double, Interval, IntervalVec3, Precision, Single};
 use pavo_shade::{Mask, Real, Triple, Vector};
 use proptest::prelude::*;
 
