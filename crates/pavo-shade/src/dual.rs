@@ -1,35 +1,33 @@
 //! Numbers that carry their derivatives: forward-mode differentiation of a shading function.
-//!
-//! A dual number is a value with its partial derivatives by `N` variables; each operation applies the chain rule. The
-//! values are those of `f64`, bit for bit.
-//!
-//! Source: Wengert 1964, "A simple automatic derivative evaluation program"; Griewank and Walther 2008, "Evaluating
-//! Derivatives", chapter 3.
-//!
-//! Where an operation has no derivative, one side is taken:
-//!
-//! | operation | derivative |
-//! |---|---|
-//! | `abs(x)` at 0 | that for larger `x`, 1 |
-//! | `floor(x)` | 0 everywhere, so that `fract(x)` has 1 |
-//! | `min(a, b)`, `max(a, b)` at `a = b` | that of `a`; `clamp` at its bounds has that of within |
-//! | `select` | that of the value selected; the condition has none |
-//! | `sqrt(x)` at 0 | infinite; 0 by what `x` does not depend on |
-//! | a row of a table | 0: rows are constant between whole indices |
-//!
-//! ```
-//! use pavo_shade::{Dual, Real};
-//!
-//! let [x, y] = Dual::variables([3.0, 2.0]);
-//! let product = x * y.sqrt();
-//! assert_eq!(product.derivatives, [2.0_f64.sqrt(), 3.0 / (2.0 * 2.0_f64.sqrt())]);
-//! ```
 
 use crate::real::Real;
 use crate::triple::scalar_of_triples;
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
-/// A number with its partial derivatives by `N` variables.
+/// A number with its partial derivatives by `N` variables: each operation applies the chain rule. The values are those of
+/// `f64`, bit for bit.
+///
+/// Source: Wengert 1964, "A simple automatic derivative evaluation program"; Griewank and Walther 2008, "Evaluating
+/// Derivatives", chapter 3.
+///
+/// Where an operation has no derivative, one side is taken:
+///
+/// | operation | derivative |
+/// |---|---|
+/// | `abs(x)` at 0 | that for larger `x`, 1 |
+/// | `floor(x)` | 0 everywhere, so that `fract(x)` has 1 |
+/// | `min(a, b)`, `max(a, b)` at `a = b` | that of `a`; `clamp` at its bounds has that of within |
+/// | `select` | that of the value selected; the condition has none |
+/// | `sqrt(x)` at 0 | infinite; 0 by what `x` does not depend on |
+/// | a row of a table | 0: rows are constant between whole indices |
+///
+/// ```
+/// use pavo_shade::{Dual, Real};
+///
+/// let [x, y] = Dual::variables([3.0, 2.0]);
+/// let product = x * y.sqrt();
+/// assert_eq!(product.derivatives, [2.0_f64.sqrt(), 3.0 / (2.0 * 2.0_f64.sqrt())]);
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Dual<const N: usize> {
     /// The number.

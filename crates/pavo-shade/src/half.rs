@@ -1,19 +1,19 @@
 //! Half precision: each operation rounded to the nearest number of IEEE 754 binary16.
-//!
-//! It has 11 significant bits; the largest number is 65504, the smallest 2^-24 and the smallest with all its bits 2^-14.
-//! What is smaller loses bits and is not flushed. A length of 300 nm squared is beyond its range, and a guard like
-//! `max(x, 1e-12)` is one against 0 only in name: the literal itself becomes 0.
-//!
-//! Sums, products, quotients and roots are the nearest number to the exact result; sines, exponentials and
-//! [`Real::inverse_sqrt`] to that of `f64`. A device may be less exact: Vulkan allows 2^-7 for a sine in half precision.
-//!
-//! Source: IEEE 754-2019, table 3.5; the Vulkan specification, "Precision of Individual Operations".
 
 use crate::real::Real;
 use crate::triple::scalar_of_triples;
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
-/// A number of IEEE 754 binary16.
+/// A number of IEEE 754 binary16, to which each operation is rounded.
+///
+/// It has 11 significant bits; the largest number is 65504, the smallest 2^-24 and the smallest with all its bits 2^-14.
+/// What is smaller loses bits and is not flushed. A length of 300 nm squared is beyond its range, and a guard like
+/// `max(x, 1e-12)` is one against 0 only in name: the literal itself becomes 0.
+///
+/// Sums, products, quotients and roots are the nearest number to the exact result; sines, exponentials and
+/// [`Real::inverse_sqrt`] to that of `f64`. A device may be less exact: Vulkan allows 2^-7 for a sine in half precision.
+///
+/// Source: IEEE 754-2019, table 3.5; the Vulkan specification, "Precision of Individual Operations".
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Half(f64);
 

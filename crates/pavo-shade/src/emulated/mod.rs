@@ -5,7 +5,8 @@
 //! what is infinite pass through as on the CPU.
 //!
 //! A product that is added is contracted wherever it can be, also when it was computed in another function, and of two
-//! products that are added the first one. A device is free to contract some and round others.
+//! products that are added the first one. A device is free to contract some and round others, and without `precise` it
+//! may also rearrange sums and products, which is not emulated.
 //!
 //! ```
 //! use pavo_shade::{Emulated, emulated::{Contracting, Exact}};

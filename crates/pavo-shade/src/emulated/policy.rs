@@ -59,8 +59,8 @@ impl Policy for SwiftShader {
     const TURNS: bool = true;
 }
 
-/// All that Vulkan allows, but for sines, which are as good as most devices have them: turns in `f32`, and 4e-7 from
-/// there. It is what [`crate::interval::Single`] encloses.
+/// What Vulkan allows of each operation, but for sines, which are as good as most devices have them: turns in `f32`, and
+/// 4e-7 from there. It is what [`crate::interval::Single`] encloses.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Loose;
 impl Policy for Loose {
@@ -74,7 +74,8 @@ impl Policy for Loose {
     const TURNS: bool = true;
 }
 
-/// All that Vulkan allows: for sines 2^-11, which it promises within [-pi, pi] and which is taken for any angle here.
+/// What Vulkan allows of each operation: for sines 2^-11, which it promises within [-pi, pi] and which is taken for any
+/// angle here.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Vulkan;
 impl Policy for Vulkan {
