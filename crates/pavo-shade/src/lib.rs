@@ -57,12 +57,21 @@
 //! - A guard (`max`, `min`, `clamp`, `abs`, a comparison) is written where the formula needs one; [`specialise`] leaves
 //!   out those that never act within the ranges of the inputs, and [`bounds`] says what the values are within. On
 //!   [`interval::Interval`] a function gives bounds of its results.
+//!
+//! # Numbers to judge a function by
+//! A function runs on these as well, without a change to it:
+//! - [`Dual`] gives derivatives of its results.
+//! - [`Emulated`] is `f32` with what drivers do to it: contraction, flushing, inexact sines and quotients.
+//! - [`Half`] rounds each operation to half precision.
 
 mod bounds;
+mod dual;
+pub mod emulated;
 mod expr;
 mod fold;
 mod function;
 mod graph;
+mod half;
 pub mod interpret;
 pub mod interval;
 pub mod naming;
@@ -73,12 +82,16 @@ mod rates;
 mod real;
 mod specialise;
 mod table;
+mod triple;
 mod value;
 
 pub use bounds::{Bounds, FunctionBounds, bounds};
+pub use dual::Dual;
+pub use emulated::Emulated;
 pub use expr::{Expr, ExprMask};
 pub use function::{FunctionInfo, Input, ParameterInfo, Rate};
 pub use graph::{BinaryOp, Comparison, Graph, Node, NodeId, Op, Type, UnaryOp};
+pub use half::Half;
 pub use operations::Operations;
 pub use pavo_shade_macros::shade;
 pub use program::{Definition, Output, Parameter, Program, ReturnValue, operands};
@@ -86,4 +99,5 @@ pub use rates::{LEAST_SAVED, OperationsByRate, PREPARED_SURFACE, Prepared, Split
 pub use real::{Lanes, Mask, Real, Scalar, Vector};
 pub use specialise::{LeftOut, Specialised, specialise};
 pub use table::Table;
+pub use triple::Triple;
 pub use value::{Arguments, LeafInfo, Value, join};

@@ -23,7 +23,8 @@ pub trait Mask: Copy {
 
 /// A real number, or several that are computed alike (the components of a vector).
 ///
-/// Instances: `f32`, `f64`, `glam::Vec3`, `glam::DVec3` (each component by itself) and [`crate::Expr`] (the graph).
+/// Instances: `f32`, `f64`, `glam::Vec3`, `glam::DVec3` (each component by itself) and [`crate::Expr`] (the graph). To
+/// judge a function by: [`crate::interval::Interval`], [`crate::Dual`], [`crate::Emulated`] and [`crate::Half`].
 pub trait Real:
     Copy + Value + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Self> + Div<Output = Self> + Neg<Output = Self>
 {

@@ -1,7 +1,8 @@
 //! Intervals enclose what their operations give, in `f64` and in `f32`.
 
+use pavo_shade::emulated::{Emulated, Loose};
 use pavo_shade::interval::{Double, Interval, IntervalVec3, Precision, Single};
-use pavo_shade::{Mask, Real, Vector};
+use pavo_shade::{Mask, Real, Triple, Vector};
 use proptest::prelude::*;
 
 /// Operations on three numbers, each defined for all of them.
@@ -76,11 +77,20 @@ proptest! {
     }
 
     #[test]
+    fn bounds_of_single_precision_hold_on_a_device_that_does_what_it_likes(ranges in ranges()) {
+        let on_device = operations(ranges.map(|(_, value)| Emulated::<Loose>::lit(value)));
+        let on_device: Vec<(&str, f64)> = on_device.into_iter().map(|(name, value)| (name, value.into())).collect();
+        check::<Single>(ranges, &on_device)?;
+    }
+
+    #[test]
     fn operations_on_vectors_enclose_their_values(ranges in ranges()) {
         let box3 = IntervalVec3(ranges.map(|([low, high], _)| Interval::<Single>::new(low, high)));
         let vector = glam::Vec3::from_array(ranges.map(|(_, value)| value as f32));
         let shifted = Vector::lit3([0.5, -2.0, 3.0]);
         prop_assert!(box3.dot(shifted).contains(f64::from(vector.dot(Vector::lit3([0.5, -2.0, 3.0])))));
+        let on_device = Triple(ranges.map(|(_, value)| Emulated::<Loose>::lit(value)));
+        prop_assert!(box3.dot(shifted).contains(on_device.dot(Vector::lit3([0.5, -2.0, 3.0])).into()));
         let normalized = Vector::normalize(box3);
         for (interval, value) in normalized.0.into_iter().zip(vector.normalize().to_array()) {
             // What is shorter than the root of the smallest number has no direction in f32.
