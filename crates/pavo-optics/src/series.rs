@@ -52,12 +52,11 @@ pub fn series_terms<R: Real>(
     /// Wave vectors outside the film, over that in the film.
     waves: RelativeWaves<R>,
 ) -> SeriesTerms<R> {
-    let ambient_squared = waves.ambient * waves.ambient;
-    let ambient_sum = 1.0 + ambient_squared;
+    let ambient_sum = 1.0 + waves.ambient * waves.ambient;
     let base_sum = 1.0 + waves.base_squared;
     let entering = waves.ambient * waves.base;
     let mean = waves.base * ambient_sum + waves.ambient * base_sum;
-    let ambient_difference = (1.0 - ambient_squared) / (ambient_sum * base_sum + 4.0 * entering + 2.0 * mean);
+    let ambient_difference = (2.0 - ambient_sum) / (ambient_sum * base_sum + 4.0 * entering + 2.0 * mean);
     SeriesTerms {
         transmittance: 4.0 * entering / mean,
         round_trip: ambient_difference * (1.0 - waves.base_squared),

@@ -81,21 +81,21 @@ pub fn complex_kernel<R: Real>(
 ) -> ComplexKernel<R> {
     // Beyond these the kernel is sharper than its cosines are exact.
     let ambient = waves.ambient.max(2e-3).min(500.0);
-    let damping_squared = damping * damping;
-    let kept = 1.0 + damping_squared;
-    let lost = 1.0 - damping_squared;
-    let ambient_squared = ambient * ambient;
-    let ambient_sum = 1.0 + ambient_squared;
+    // A base that reflects totally lets nothing in, and the kernel has no height to divide by.
+    let base = waves.base.max(1e-12);
+    let ambient_sum = 1.0 + ambient * ambient;
     let base_sum = 1.0 + waves.base_squared;
-    let entering = ambient * waves.base;
-    let mean = waves.base * ambient_sum + ambient * base_sum;
-    let transmittance = waves.ambient * waves.base / mean;
-    // With B = damping t / s: (|s|^2 + |t|^2) / 2, of which |s|^2 - |t|^2 is 4 mean.
+    let entering = ambient * base;
+    let mean = base * ambient_sum + ambient * base_sum;
+    let transmittance = waves.ambient * base / mean;
+    // With B = damping t / s: |s|^2 and |t|^2, which are 4 mean apart.
     let squares = ambient_sum * base_sum + 4.0 * entering;
-    let difference = squares * lost + 2.0 * mean * kept;
-    let sum = squares * kept + 2.0 * mean * lost;
-    let scale = window_squared / (difference * transmittance).max(1e-18);
-    let interference = (1.0 - ambient_squared) * (4.0 * damping * scale);
+    let entered = squares + 2.0 * mean;
+    let returned = damping * damping * (squares - 2.0 * mean);
+    let difference = entered - returned;
+    let sum = entered + returned;
+    let scale = window_squared / (difference * transmittance);
+    let interference = (2.0 - ambient_sum) * (4.0 * damping * scale);
     ComplexKernel {
         transmittance,
         offset: sum * scale,

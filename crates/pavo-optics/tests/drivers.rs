@@ -66,7 +66,7 @@ type Measure = fn(&Film, [f64; 3]) -> f64;
 const BOUNDS: [(&str, &str, [f64; 7]); 6] = [
     ("windowed", "soap", [2e-6, 2e-6, 2e-6, 3e-3, 6e-6, 5e-3, 0.6]),
     ("windowed", "metal", [3e-6, 3e-6, 3e-6, 4e-3, 7e-6, 8e-3, 0.4]),
-    ("poles", "soap", [8e-7, 8e-7, 8e-7, 4e-4, 1.5e-6, 8e-4, 6e-3]),
+    ("poles", "soap", [8e-7, 8e-7, 8e-7, 4e-4, 1.5e-6, 1.2e-3, 6e-3]),
     ("poles", "metal", [8e-7, 8e-7, 8e-7, 2e-4, 1e-6, 4e-4, 4e-3]),
     ("series", "soap", [1e-6, 1e-6, 1e-6, 5e-4, 2e-6, 1e-3, 0.7]),
     ("series", "metal", [8e-7, 8e-7, 8e-7, 1.5e-4, 1.5e-6, 4e-4, 0.5]),

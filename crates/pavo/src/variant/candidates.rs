@@ -40,7 +40,7 @@ impl Variant {
         let cosines = [(4, 1), (6, 1), (6, 2)].map(|(count, order)| Variant::Cosines { count, order });
         let nodes = [6, 8, 10, 16].map(|count| Variant::Nodes { count });
         let spectral = [16, 32, 81, 161].map(|count| Variant::Spectral { count });
-        let baked = [(4, 0), (6, 0), (8, 0), (12, 0), (5, 4)];
+        let baked = [(4, 0), (6, 0), (8, 0), (10, 0), (12, 0), (5, 4)];
         let baked = baked.map(|(degree, denominator)| Variant::Baked { degree, denominator });
         let tables = [(32, 1), (32, 64), (32, 128)].map(|(angles, thicknesses)| Variant::Table { angles, thicknesses });
         let scene_fits = [
