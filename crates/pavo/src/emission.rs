@@ -88,7 +88,7 @@ pub fn cost_baseline<'a>(
 }
 
 /// What a library is of: as far as the scene goes.
-pub(crate) fn library_quantity(scene: &Scene) -> ShadingQuantity {
+pub fn library_quantity(scene: &Scene) -> ShadingQuantity {
     if scene.lights.punctual { ShadingQuantity::Directions } else { ShadingQuantity::Brdf }
 }
 

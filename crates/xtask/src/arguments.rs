@@ -30,6 +30,8 @@ pub enum Task {
         /// Whether to print JSON.
         json: bool,
     },
+    /// Print what the emitted code saves where a scene fixes something.
+    Savings,
     /// Print the usage.
     Help,
 }
@@ -47,11 +49,12 @@ Tasks:
   peers [--no-install] [--json]
                      Install the npm package three and the PyPI package MaterialX into target/peers, and measure pavo
                      beside their thin-film shaders: errors, costs, times
+  savings            Print what the emitted code saves where a scene fixes something, as a Markdown table
   help               Print this
 
 Exit codes: 0 fine, 1 a check failed, 2 bad input, 3 something needed is missing";
 
-const TASKS: &str = "the tasks are setup, demo, test, fits, peers and help";
+const TASKS: &str = "the tasks are setup, demo, test, fits, peers, savings and help";
 
 /// Reads the words, the first of which names the task.
 ///
@@ -71,6 +74,7 @@ pub fn parse(words: impl IntoIterator<Item = OsString>) -> Result<Task, Failure>
             Some("test") => Task::Test { set_up: true },
             Some("fits") => Task::Fits,
             Some("peers") => Task::Peers { install: true, json: false },
+            Some("savings") => Task::Savings,
             Some("help") => Task::Help,
             _ => {
                 return Err(Failure::bad_input(format!("`{}` is no task; {TASKS}", word.to_string_lossy())));
@@ -92,6 +96,7 @@ pub fn parse(words: impl IntoIterator<Item = OsString>) -> Result<Task, Failure>
             }
             (Task::Setup, other) => return Err(not_taken(&other, "setup", "it takes nothing")),
             (Task::Fits, other) => return Err(not_taken(&other, "fits", "it takes nothing")),
+            (Task::Savings, other) => return Err(not_taken(&other, "savings", "it takes nothing")),
             (Task::Help, other) => return Err(not_taken(&other, "help", "it takes nothing")),
         }
     }
@@ -132,6 +137,7 @@ mod tests {
             ("fits", Task::Fits),
             ("peers", Task::Peers { install: true, json: false }),
             ("peers --json --no-install", Task::Peers { install: false, json: true }),
+            ("savings", Task::Savings),
             ("help", Task::Help),
             ("--help", Task::Help),
             ("-h", Task::Help),
@@ -144,11 +150,11 @@ mod tests {
     #[test]
     fn other_words_are_refused_with_what_is_taken() {
         for (words, expected) in [
-            ("", "name a task: the tasks are setup, demo, test, fits, peers and help"),
-            ("tset", "`tset` is no task; the tasks are setup, demo, test, fits, peers and help"),
+            ("", "name a task: the tasks are setup, demo, test, fits, peers, savings and help"),
+            ("tset", "`tset` is no task; the tasks are setup, demo, test, fits, peers, savings and help"),
             (
                 "--no-setup",
-                "cargo xtask does not take `--no-setup`; the tasks are setup, demo, test, fits, peers and help",
+                "cargo xtask does not take `--no-setup`; the tasks are setup, demo, test, fits, peers, savings and help",
             ),
             ("demo a b", "demo does not take `b`; it takes one scene"),
             ("demo --no-setup", "demo does not take `--no-setup`; it takes one scene"),

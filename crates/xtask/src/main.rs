@@ -5,6 +5,7 @@ mod command_line;
 mod console;
 mod demo;
 mod failure;
+mod measuring;
 mod peers;
 mod programs;
 mod setup;
@@ -44,6 +45,7 @@ fn run() -> Result<(), Failure> {
         }
         Task::Fits => suite::make_fits(&workspace),
         Task::Peers { install, json } => peers::run(&workspace, install, json),
+        Task::Savings => measuring::run(&workspace, "pavo-savings", |measure| measure),
         Task::Test { set_up } => {
             if set_up {
                 setup::set_up(&workspace)?;

@@ -1,11 +1,11 @@
 //! Installs the packages of other systems, and measures pavo's variants beside the shaders in them.
 
 use std::path::Path;
-use std::process::ExitStatus;
 
-use crate::command_line::{CommandLine, end_text};
+use crate::command_line::CommandLine;
 use crate::console::complain;
 use crate::failure::{Failure, Status};
+use crate::measuring::{self, ended};
 use crate::programs::find_program;
 use crate::workspace::Workspace;
 
@@ -25,18 +25,11 @@ pub fn run(workspace: &Workspace, install: bool, json: bool) -> Result<(), Failu
             ended(&package, package.run_aside(workspace)?, |_| Status::Missing)?;
         }
     }
-    let program = workspace.target.join("release").join(format!("pavo-peers{}", std::env::consts::EXE_SUFFIX));
-    let compile = workspace.cargo(&["build", "--release", "--quiet", "--package", "pavo-peers"]);
-    complain(&format!("$ {compile}"));
-    ended(&compile, compile.run_aside(workspace)?, |_| Status::CheckFailed)?;
-    let measure = CommandLine::new(&program)
-        .shown_as(workspace.relative(&program).to_string_lossy())
-        .arguments([Path::new("--packages"), shown, Path::new("--output"), shown])
-        .arguments(json.then_some("--json"))
+    measuring::run(workspace, "pavo-peers", |measure| {
+        let measure = measure.arguments([Path::new("--packages"), shown, Path::new("--output"), shown]);
         // One thread gives steadier times.
-        .environment("LP_NUM_THREADS", "1");
-    complain(&format!("$ {measure}"));
-    ended(&measure, measure.run(workspace)?, Status::of_product)
+        measure.arguments(json.then_some("--json")).environment("LP_NUM_THREADS", "1")
+    })
 }
 
 /// The commands that install the packages into a folder.
@@ -63,14 +56,6 @@ fn installs(folder: &Path) -> Result<[CommandLine; 2], Failure> {
         .arguments([folder.join("python")])
         .arguments(["MaterialX"]);
     Ok([npm, pip])
-}
-
-/// Nothing where the command has succeeded.
-fn ended(command: &CommandLine, status: ExitStatus, status_of: fn(Option<i32>) -> Status) -> Result<(), Failure> {
-    if status.success() {
-        return Ok(());
-    }
-    Err(Failure { status: status_of(status.code()), message: format!("{} from: {command}", end_text(status)) })
 }
 
 #[cfg(test)]
