@@ -1,5 +1,7 @@
 //! What the tests that cross crates share: the starter scenes, and the command as a process.
 
+pub mod unused;
+
 use pavo::scene::Scene;
 use pavo::{Shading, Variant};
 use std::path::{Path, PathBuf};

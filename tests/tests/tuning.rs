@@ -6,6 +6,7 @@ use pavo::tuning::{Budget, CostKind, DEFAULT_MAX_DELTA_E, TuningError, pick, tun
 use pavo::{NoCache, Shading, ShadingQuantity, Variant};
 use pavo_spectra::ColourSpace;
 use pavo_spectra::delta_e::delta_e_of_linear;
+use pavo_tests::unused::unused_names;
 use pavo_tests::{SCENES, run, scene_file};
 
 const PROGRAM: &str = env!("CARGO_BIN_EXE_pavo-under-test");
@@ -37,6 +38,9 @@ fn the_pick_for_each_starter_scene_keeps_to_its_budget() {
         let largest = largest_delta_e(&scene, &picked.variant);
         println!("{name}: {} has {largest:.3} of {limit}", picked.variant);
         assert!(largest <= limit, "{name}: {} has {largest}, allowed {limit}", picked.variant);
+        let variant: Variant = picked.variant.parse().expect("a variant");
+        let shading = Shading::new(&scene, &variant).unwrap_or_else(|error| panic!("{name}: {error}"));
+        assert_eq!(unused_names(&shading), [""; 0], "{name} by {variant}");
         let refused = pick(&scene, &tuning, Budget::MaxCost(0.5), &NoCache);
         assert!(matches!(refused, Err(TuningError::Budget { .. })), "{name}: {refused:?}");
     }
