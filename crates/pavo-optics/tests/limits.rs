@@ -79,8 +79,9 @@ fn check(seed: u64, method: &Method, limit: impl Fn(Point) -> Option<Point> + Co
     let [in_f64, in_f32] = [largest_error::<f64>(seed, method, limit), largest_error::<f32>(seed, method, limit)];
     println!("{in_f64:e} in f64, {in_f32:e} in f32");
     let (allowed_in_f64, allowed_in_f32) = match method {
-        // Where the window closes it adds and subtracts ten times the transmittance.
-        Method::Windowed { .. } => (1e-13, 5e-6),
+        // A base that reflects totally is taken to let in 1e-12 of what a clear one does; and where the window closes the
+        // kernel adds and subtracts ten times the transmittance.
+        Method::Windowed { .. } => (1e-11, 5e-6),
         _ => (1e-14, 1e-6),
     };
     assert!(in_f64 <= allowed_in_f64, "{in_f64:e} in f64");
