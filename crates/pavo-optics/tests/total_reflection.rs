@@ -27,7 +27,8 @@ fn a_base_that_reflects_totally_gives_back_all_light() {
                 base_kappa: 0.0,
             };
             let lost = colour(&film_on_base, &case).map(|channel| (channel - 1.0).abs());
-            assert!(lost.into_iter().all(|lost| lost <= 1e-12), "{lost:?}: {film_on_base:?}, {case:?}");
+            // Under the window the base is taken to let in 1e-12 of what a clear one does.
+            assert!(lost.into_iter().all(|lost| lost <= 1e-11), "{lost:?}: {film_on_base:?}, {case:?}");
         }
     }
 }
