@@ -44,7 +44,8 @@ pub fn airy_terms<R: Real>(
 ) -> AiryTerms<R> {
     let boundary_sum = q1 + q3.re;
     let ambient_difference = q1 * q1 - q2_squared;
-    let base_difference = q3.modulus - q2_squared;
+    // From the same parts as the offset: near a resonance both all but cancel.
+    let base_difference = q3.re * q3.re + q3.im * q3.im - q2_squared;
     let transmitted = 4.0 * q1 * q2_squared * q3.re;
     let offset = q2_squared * (boundary_sum * boundary_sum + q3.im * q3.im);
     let contrast = ambient_difference * base_difference;
