@@ -81,7 +81,7 @@ fn the_guards_that_a_scene_needs_not_are_listed() {
             "spectral:n=16",
             &[
                 ("normal_component_absorbing", "abs(real)"),
-                ("normal_component_absorbing", "max(2 * larger, 1e-20)"),
+                ("normal_component_absorbing", "max((modulus + ..) * 0.5, 1e-30)"),
                 ("normal_component_absorbing", "real < 0"),
                 (film, "max(4.76 + cos_theta1 * cos_theta1, 1e-12)"),
             ],

@@ -3,7 +3,7 @@
 // Each test file is a crate of its own and uses a part of this.
 #![allow(dead_code)]
 
-use pavo_shade::Input;
+use pavo_shade::{Input, PREPARED_SURFACE};
 use syn::{Expr, ExprLit, FnArg, Item, ItemFn, Lit, Pat, Type};
 
 /// The function that prepares.
@@ -47,6 +47,8 @@ pub fn layout(text: &str, name: &str) -> (Vec<(String, u32)>, u32) {
 pub struct Module {
     name: String,
     functions: Vec<ItemFn>,
+    /// The fields of the struct that is prepared.
+    prepared: Vec<String>,
 }
 
 impl Module {
@@ -56,8 +58,18 @@ impl Module {
     /// If it is no Rust.
     pub fn new(name: &str, text: &str) -> Self {
         let file = syn::parse_file(text).unwrap_or_else(|error| panic!("{name}: {error}"));
-        let function = |item: Item| if let Item::Fn(function) = item { Some(function) } else { None };
-        Self { name: name.to_owned(), functions: file.items.into_iter().filter_map(function).collect() }
+        let mut module = Self { name: name.to_owned(), functions: Vec::new(), prepared: Vec::new() };
+        for item in file.items {
+            match item {
+                Item::Fn(function) => module.functions.push(function),
+                Item::Struct(structure) if structure.ident == PREPARED_SURFACE => {
+                    let names = structure.fields.into_iter().filter_map(|field| field.ident);
+                    module.prepared = names.map(|name| name.to_string()).collect();
+                }
+                _ => {}
+            }
+        }
+        module
     }
 
     /// A call of a function, over the numbers `p` of a point: what is no input is prepared.
@@ -78,6 +90,9 @@ impl Module {
                 Some(first) => format!("p[{first}]"),
                 None if is_named(&typed.ty, "VertexSurface") => self.call(VERTEX, inputs),
                 None if is_named(&typed.ty, "PreparedSurface") => self.call(PREPARE, inputs),
+                None if name == VERTEX && self.prepared.iter().any(|field| pattern.ident == field) => {
+                    format!("{}.{}", self.call(PREPARE, inputs), pattern.ident)
+                }
                 // What is prepared for functions other than the one that is called.
                 None if [PREPARE, VERTEX].contains(&name) && is_vector => "glam::Vec3::splat(0.5)".to_owned(),
                 None if [PREPARE, VERTEX].contains(&name) => "0.5".to_owned(),
