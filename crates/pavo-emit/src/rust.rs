@@ -92,6 +92,9 @@ pub fn attributes(parameters: usize, text: &str) -> String {
     if has_near_constant(text) {
         attributes.push_str("#[allow(clippy::approx_constant)]\n");
     }
+    if has_clamp(text) {
+        attributes.push_str("#[allow(clippy::manual_clamp)]\n");
+    }
     if parameters > CLIPPY_PARAMETERS {
         attributes.push_str("#[allow(clippy::too_many_arguments)]\n");
     }
@@ -166,6 +169,15 @@ pub fn finished(mut statements: Vec<String>, made: Option<&Struct>, mut results:
     statements
 }
 
+/// Whether a number is held between two others: what is no number passes through `clamp`, and not through this.
+fn has_clamp(text: &str) -> bool {
+    let follows = |first: &str, second: &str| {
+        let after = text.split(first).skip(1).filter_map(|rest| rest.split_once(')'));
+        after.into_iter().any(|(bound, rest)| bound.parse::<f64>().is_ok() && rest.trim_start().starts_with(second))
+    };
+    follows(".max(", ".min(") || follows(".min(", ".max(")
+}
+
 #[cfg(test)]
 mod tests {
     use super::{attributes, number};
@@ -178,6 +190,14 @@ mod tests {
         assert_eq!(number(3.25), "3.25");
         for (text, is_near) in [("x * 3.14", true), ("(-2.718_f32).max(x)", true), ("0.5 + x_2 * 3.1", false)] {
             assert_eq!(attributes(1, text).contains("approx_constant"), is_near, "{text}");
+        }
+    }
+
+    #[test]
+    fn what_is_held_between_two_numbers_is_allowed() {
+        let rows = [("x.max(0.1).min(5.0)", true), ("x.min(2.0)\n    .max(1e-3)", true), ("x.max(y).min(5.0)", false)];
+        for (text, is_held) in rows {
+            assert_eq!(attributes(1, text).contains("manual_clamp"), is_held, "{text}");
         }
     }
 }
