@@ -41,7 +41,7 @@ impl FilmPoint {
             } else {
                 Phase::Wave([phase.cos(), phase.sin()])
             };
-            film.rest - 2.0 * film.scale * film.node(phase)
+            film.rest - 2.0 * film.node(phase)
         })
     }
 }

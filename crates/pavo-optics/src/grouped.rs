@@ -98,7 +98,7 @@ pub fn grouped_reflectance<S: Scalar, R: Lanes<S> + Value<Leaf = S::Leaf>>(
         .named("group");
         let nodes = phases.into_iter().map(|phase| terms.node(phase.map(R::from_scalar)));
         let rest = (color + S::Vec3::lit3(share(&part.weights)) * terms.rest.into_vec3()).named("color");
-        color = color_of_nodes(terms, film.base, nodes, &part.weights, rest);
+        color = color_of_nodes(nodes, &part.weights, rest);
     }
     color
 }

@@ -31,8 +31,6 @@ pub struct RelativeFilm<R: Real> {
     pub s: RelativeWaves<R>,
     /// For p polarisation.
     pub p: RelativeWaves<R>,
-    /// `ambient base` of p polarisation over that of s polarisation.
-    pub p_over_s: R,
 }
 
 /// The waves outside a film, over the wave in it.
@@ -70,11 +68,7 @@ pub fn relative_film<S: Scalar, R: Lanes<S> + Value<Leaf = S::Leaf>>(
             };
             let (base, decay) = ((q3 * q2_inverse).named("base"), (q3_decay * q2_inverse).named("base_decay"));
             let p = waves(ambient_p, (base * base_scale).named("base_p"), (decay * base_scale).named("base_decay_p"));
-            RelativeFilm {
-                s: waves(ambient, base, decay),
-                p,
-                p_over_s: (lanes(ambient_scale) * base_scale).named("p_over_s"),
-            }
+            RelativeFilm { s: waves(ambient, base, decay), p }
         }
         BaseKind::Conductor => {
             let q3 = normal_component_absorbing(cos_theta1, ambient_ior, base_ior, base_kappa).named("q3");
@@ -97,7 +91,7 @@ pub fn relative_film<S: Scalar, R: Lanes<S> + Value<Leaf = S::Leaf>>(
                 base_decay: (s.base_decay * ((tangential_squared - q3.modulus) * base_scale)).named("base_decay_p"),
                 base_squared: (s.base_squared * (lanes(film_squared) * base_scale)).named("base_squared_p"),
             };
-            RelativeFilm { s, p, p_over_s: (lanes(ambient_scale) * re_scale).named("p_over_s") }
+            RelativeFilm { s, p }
         }
     }
 }

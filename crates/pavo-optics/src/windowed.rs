@@ -6,8 +6,9 @@
 //!
 //! `R_j = 1 - sum_pol Q (1 - kappa) / 2 - sum_pol (kappa Q / 2) sum_k w_jk (1 - |B|^2) / |1 - B e^(i omega_k D)|^2`.
 //!
-//! With a real `B` the kernel is `1 / (f cos^2(phase / 2) + sin^2(phase / 2) / f)`, `f = (1 - B) / (1 + B)`: it loses no
-//! digits where B approaches 1, at grazing angles. Equally spaced phases follow from two of them by a recurrence.
+//! With a real `B = t / s` the kernel is `(s^2 - t^2) / ((s - t)^2 + 4 s t sin^2(phase / 2))`: in sums of what is not
+//! negative `s - t` loses no digits where B approaches 1, at grazing angles. Both polarisations over one denominator take
+//! one quotient a node. Equally spaced phases follow from two of them by a recurrence.
 
 use crate::film::BaseKind;
 use crate::relative::{RelativeFilm, RelativeWaves};
@@ -27,13 +28,16 @@ pub struct Window {
     pub weights: Vec<[f64; 3]>,
 }
 
-/// One polarisation of a film on a real base, under the window.
+/// One polarisation of a film on a real base, under the window: with `x = sin^2(phase / 2)` a node contributes
+/// `transmittance sum difference / (difference^2 (1 - x) + sum^2 x)`.
 #[shade]
 pub struct RealKernel<R: Real> {
-    /// `4 r u / Q`, with `r` and `u` the waves in the ambient medium and the base over that in the film.
-    pub mean: R,
-    /// `f = (1 - B) / (1 + B)`: the kernel runs from `1 / f` at phase 0 to `f` at phase pi.
-    pub flatness: R,
+    /// `kappa Q / 4`.
+    pub transmittance: R,
+    /// `s + t`, with `B = t / s`.
+    pub sum: R,
+    /// `s - t`.
+    pub difference: R,
 }
 
 /// One polarisation of a film on a real base, under the window.
@@ -45,12 +49,19 @@ pub fn real_kernel<R: Real>(
     waves: RelativeWaves<R>,
     /// What is left of a round trip: `g h`, (0, 1].
     damping: R,
+    /// The square h of the window, held at 0.1 or above.
+    window_squared: R,
 ) -> RealKernel<R> {
-    let straight = 1.0 + waves.ambient * waves.base;
-    let crossed = waves.ambient + waves.base;
-    let entering = straight + crossed;
-    let reflected = damping * (straight - crossed);
-    RealKernel { mean: straight * crossed, flatness: (entering - reflected) / (entering + reflected) }
+    // Beyond these, next to the critical angle, the squares of squares leave the range of f32.
+    let ambient = waves.ambient.min(1e4);
+    let base = waves.base.min(1e4);
+    let entering = ambient * base;
+    let straight = 1.0 + entering;
+    let crossed = ambient + base;
+    let transmittance = entering / (straight * crossed * window_squared);
+    // With s = (1 + r)(1 + u) / 2 and t = damping (1 - r)(1 - u) / 2.
+    let lost = (0.5 - 0.5 * damping) * (straight - crossed);
+    RealKernel { transmittance, sum: straight - lost, difference: crossed + lost }
 }
 
 /// One polarisation of a film on a complex base, under the window: a node contributes
@@ -104,28 +115,43 @@ pub fn complex_kernel<R: Real>(
     }
 }
 
-/// One polarisation under the window, at one optical path difference.
+/// One polarisation on a complex base under the window, at one optical path difference.
 #[shade]
 pub struct NodeTerms<R: Real> {
-    /// The denominator at phase 0 on a real base, its mean on a complex one.
+    /// The mean of the denominator over the phase.
     pub offset: R,
-    /// What it loses with `sin^2(phase / 2)` on a real base, with `cos(phase)` on a complex one.
+    /// What it loses with `cos(phase)`.
     pub even: R,
-    /// What it loses with `sin(phase)`; 0 on a real base.
+    /// What it loses with `sin(phase)`.
     pub odd: R,
 }
 
-/// Both polarisations under the window, at one optical path difference:
-/// `R_j = rest - scale sum_k 2 w_jk node_k`.
+/// Both polarisations on a real base under the window, at one optical path difference, over one denominator: a node
+/// contributes `(top_0 + top_1 x) / (bottom_0 + bottom_1 x + bottom_2 x^2)` with `x = sin^2(phase / 2)`.
+#[shade]
+pub struct NodeQuotient<R: Real> {
+    /// The numerator at phase 0.
+    pub top_0: R,
+    /// What it gains with x.
+    pub top_1: R,
+    /// The denominator at phase 0.
+    pub bottom_0: R,
+    /// What it gains with x.
+    pub bottom_1: R,
+    /// What it gains with x^2.
+    pub bottom_2: R,
+}
+
+/// Both polarisations under the window, at one optical path difference: `R_j = rest - sum_k 2 w_jk node_k`.
 #[shade]
 pub struct WindowedFilm<R: Real> {
     /// What does not depend on the phase: `1 - sum_pol Q (1 - kappa) / 2`.
     pub rest: R,
-    /// The factor of all nodes; 1 on a complex base.
-    pub scale: R,
-    /// s polarisation.
+    /// Both polarisations on a real base; 0 on a complex one.
+    pub both: NodeQuotient<R>,
+    /// s polarisation on a complex base; 0 on a real one.
     pub s: NodeTerms<R>,
-    /// p polarisation.
+    /// p polarisation on a complex base; 0 on a real one.
     pub p: NodeTerms<R>,
 }
 
@@ -144,44 +170,64 @@ impl<R: Real> WindowedFilm<R> {
         R: Lanes<S> + Value<Leaf = S::Leaf>,
     {
         let lanes = R::from_scalar;
-        let damping = (g * g_squared).named("damping");
+        let damping = lanes((g * g_squared).named("damping"));
+        let none = R::lit(0.0);
+        let no_terms = NodeTerms { offset: none, even: none, odd: none };
         if base.is_real() {
-            let s = real_kernel(film.s, lanes(damping)).named("kernel_s");
-            let p = real_kernel(film.p, lanes(damping)).named("kernel_p");
-            let mean_s = (s.mean * film.p_over_s).named("mean_s");
-            let one = R::lit(1.0);
-            let entering = film.p.ambient * film.p.base;
-            let scale = (entering * R::from_scalar(S::lit(1.0) / g_squared)).named("scale");
-            let transmittance = one / mean_s + one / p.mean;
-            let rest = (one + transmittance * (R::lit(2.0) * scale - R::lit(2.0) * entering)).named("rest");
-            let terms = |mean: R, flatness: R, name: &str| {
-                let offset = (mean * flatness).named(&format!("offset_{name}"));
-                NodeTerms { offset, even: (offset - mean / flatness).named(&format!("even_{name}")), odd: R::lit(0.0) }
-            };
-            Self { rest, scale, s: terms(mean_s, s.flatness, "s"), p: terms(p.mean, p.flatness, "p") }
+            let s = real_kernel(film.s, damping, lanes(g_squared)).named("kernel_s");
+            let p = real_kernel(film.p, damping, lanes(g_squared)).named("kernel_p");
+            let rest = lanes((S::lit(2.0) - S::lit(2.0) * g_squared).named("closed"));
+            let rest = (R::lit(1.0) + (s.transmittance + p.transmittance) * rest).named("rest");
+            Self { rest, both: NodeQuotient::new(s, p), s: no_terms, p: no_terms }
         } else {
-            let s = complex_kernel(film.s, lanes(damping), lanes(g_squared)).named("kernel_s");
-            let p = complex_kernel(film.p, lanes(damping), lanes(g_squared)).named("kernel_p");
+            let s = complex_kernel(film.s, damping, lanes(g_squared)).named("kernel_s");
+            let p = complex_kernel(film.p, damping, lanes(g_squared)).named("kernel_p");
             let rest = (S::lit(2.0) / g_squared - S::lit(2.0)).named("rest");
-            let rest = R::lit(1.0) + (s.transmittance + p.transmittance) * R::from_scalar(rest);
+            let rest = R::lit(1.0) + (s.transmittance + p.transmittance) * lanes(rest);
+            let both = NodeQuotient { top_0: none, top_1: none, bottom_0: none, bottom_1: none, bottom_2: none };
             let terms =
                 |kernel: ComplexKernel<R>| NodeTerms { offset: kernel.offset, even: kernel.cosine, odd: kernel.sine };
-            Self { rest, scale: R::lit(1.0), s: terms(s), p: terms(p) }
+            Self { rest, both, s: terms(s), p: terms(p) }
         }
     }
 
-    /// Half of what a node of weight 1 contributes, before the scale, by what its phase gives.
+    /// Half of what a node of weight 1 contributes, by what its phase gives.
     pub fn node(&self, phase: Phase<R>) -> R {
-        node([self.s, self.p].map(|terms| terms.denominator(phase)))
+        match phase {
+            Phase::HalfSineSquared(square) => self.both.at(square),
+            Phase::Wave(wave) => node([self.s, self.p].map(|terms| terms.denominator(wave))),
+        }
+    }
+}
+
+impl<R: Real> NodeQuotient<R> {
+    fn new(s: RealKernel<R>, p: RealKernel<R>) -> Self {
+        // Values at x = 0 and x = 1 are squares and products of these.
+        let differences = (s.difference * p.difference).named("differences");
+        let sums = (s.sum * p.sum).named("sums");
+        let mixed = [(s.sum * p.difference).named("mixed"), (p.sum * s.difference).named("mixed")];
+        let top_0 = (differences * (s.transmittance * mixed[0] + p.transmittance * mixed[1])).named("top_0");
+        let top_end = sums * (s.transmittance * mixed[1] + p.transmittance * mixed[0]);
+        let bottom_0 = (differences * differences).named("bottom_0");
+        let linear = (mixed[0] * mixed[0] + (mixed[1] * mixed[1] - bottom_0)).named("linear");
+        Self {
+            top_0,
+            top_1: (top_end - top_0).named("top_1"),
+            bottom_0,
+            bottom_1: (linear - bottom_0).named("bottom_1"),
+            bottom_2: (sums * sums - linear).named("bottom_2"),
+        }
+    }
+
+    fn at(&self, x: R) -> R {
+        let bottom = self.bottom_0 + (self.bottom_1 + self.bottom_2 * x) * x;
+        ((self.top_0 + self.top_1 * x) / bottom).named("node")
     }
 }
 
 impl<R: Real> NodeTerms<R> {
-    fn denominator(&self, phase: Phase<R>) -> R {
-        match phase {
-            Phase::HalfSineSquared(square) => self.offset - self.even * square,
-            Phase::Wave([cosine, sine]) => self.offset - self.even * cosine - self.odd * sine,
-        }
+    fn denominator(&self, [cosine, sine]: [R; 2]) -> R {
+        self.offset - self.even * cosine - self.odd * sine
     }
 }
 
@@ -216,8 +262,6 @@ pub(crate) fn closing<S: Scalar>(width_nm: f64, path_nm: S) -> [S; 2] {
 
 /// The colour of a film by the nodes of a window: `rest`, less what they contribute.
 pub(crate) fn color_of_nodes<S: Scalar, R: Lanes<S> + Value<Leaf = S::Leaf>>(
-    film: WindowedFilm<R>,
-    base: BaseKind,
     nodes: impl IntoIterator<Item = R>,
     weights: &[[f64; 3]],
     rest: S::Vec3,
@@ -226,12 +270,7 @@ pub(crate) fn color_of_nodes<S: Scalar, R: Lanes<S> + Value<Leaf = S::Leaf>>(
         .into_iter()
         .zip(weights)
         .map(|(node, weight)| S::Vec3::lit3(weight.map(|weight| 2.0 * weight)) * node.into_vec3());
-    if base.is_real() {
-        let sum = weighted.reduce(|sum, node| (sum + node).named("interference")).unwrap_or(S::Vec3::lit(0.0));
-        (rest - film.scale.into_vec3() * sum).named("color")
-    } else {
-        weighted.fold(rest, |color, node| (color - node).named("color"))
-    }
+    weighted.fold(rest, |color, node| (color - node).named("color"))
 }
 
 /// Reflectance of the film by equally spaced wave numbers under a window, all orders, at the optical path of one pass.
@@ -248,7 +287,7 @@ pub fn windowed_reflectance<S: Scalar, R: Lanes<S> + Value<Leaf = S::Leaf>>(
         let s = denominators(window, film.s, path_nm, "denominator_s");
         s.into_iter().zip(denominators(window, film.p, path_nm, "denominator_p")).map(|(s, p)| node([s, p])).collect()
     };
-    color_of_nodes(film, base, nodes, &window.weights, film.rest.into_vec3())
+    color_of_nodes(nodes, &window.weights, film.rest.into_vec3())
 }
 
 /// The denominator at each node on a complex base. Like its cosines it follows from two by a recurrence:
@@ -261,7 +300,7 @@ fn denominators<S: Scalar, R: Lanes<S> + Value<Leaf = S::Leaf>>(
 ) -> Vec<R> {
     let count = window.weights.len();
     let first = Window { weights: window.weights[..count.min(2)].to_vec(), ..window.clone() };
-    let waves = waves(&first, path_nm).into_iter().map(|wave| Phase::Wave(wave.map(R::from_scalar)));
+    let waves = waves(&first, path_nm).into_iter().map(|wave| wave.map(R::from_scalar));
     let mut denominators: Vec<R> = waves.map(|wave| terms.denominator(wave).named(name)).collect();
     let doubled = doubled_cosine(window.step, path_nm);
     let [doubled, rest] = [doubled, (S::lit(2.0) - doubled).named("doubled_rest")].map(R::from_scalar);

@@ -50,7 +50,7 @@ pub fn fit_scene(request: &SceneFitRequest<'_>) -> Result<SceneFit, SceneFitErro
     let mut best: Option<SceneFit> = None;
     for plan in plans(request) {
         let layout = Layout::new(plan);
-        let solution = solve(&layout, media, &samples, request.seed);
+        let solution = solve(&layout, media, &samples, request.seed, request.rms_error);
         let film = layout.film(&solution.parameters, fixed);
         let (rms, max) = error(&film, &held_out, &expected);
         let (form, cost) = (layout.plan.form, layout.plan.cost());

@@ -113,8 +113,10 @@ impl Meter {
             Meter::Operations => {
                 Ok(shadings.par_iter().map(|shading| operations(shading.program(QUANTITY).operations())).collect())
             }
+            // The longest take most of the time: each core takes one after the other.
             Meter::Family(compiler) => shadings
-                .iter()
+                .par_iter()
+                .with_max_len(1)
                 .map(|shading| {
                     let compiled = |text: &str| compiler.wgsl("cost.wgsl", text, "main");
                     let whole: StaticCost = compiled(&cost(shading, QUANTITY, Language::Wgsl)?)?;
