@@ -5,7 +5,7 @@ use super::check::targets;
 use super::failure::Failure;
 use super::manifest::{InputRow, Manifest, PreparedRow, Rates, RunRow, Runs, TargetRow, against_reference};
 use super::output;
-use super::points_table::{column_names, digits};
+use crate::points_table::{column_names, digits};
 use super::progress::Progress;
 use super::sources::{Emitted, Source};
 use crate::emission::library_quantity;

@@ -10,7 +10,7 @@ use crate::cli::cache::DiskCache;
 use crate::cli::failure::Failure;
 use crate::cli::manifest::{InputRow, Rates};
 use crate::cli::output;
-use crate::cli::points_table::column_names;
+use crate::points_table::column_names;
 use crate::cli::progress::Progress;
 use crate::cli::sources::Source;
 use crate::cli::sphere::is_renderable;
