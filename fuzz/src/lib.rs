@@ -4,7 +4,7 @@
 
 use miette::{Diagnostic, GraphicalReportHandler, GraphicalTheme};
 use pavo::points_table::PointsTable;
-use pavo::scene::{Base, FilmMedium, IlluminantSource, STARTER, Scene};
+use pavo::scene::{Base, FilmMedium, IlluminantSource, Scene, starter};
 use pavo::{Shading, ShadingQuantity, Variant};
 use pavo_spectra::OpticalConstants;
 use pavo_spectra::illuminant::Illuminant;
@@ -75,7 +75,8 @@ pub fn spectrum(data: &[u8]) {
 /// column of each point, and is written as a table that is read again as the same.
 pub fn points(data: &[u8]) {
     static SHADING: LazyLock<Shading> = LazyLock::new(|| {
-        let scene = Scene::from_toml("starter.toml", STARTER, Path::new("")).expect("the starter is a scene");
+        let text = starter("starter").expect("a scene may be called so");
+        let scene = Scene::from_toml("starter.toml", &text, Path::new("")).expect("the starter is a scene");
         Shading::new(&scene, &"spectral:n=2".parse().expect("a variant")).expect("it goes with the starter")
     });
     let inputs = SHADING.inputs(ShadingQuantity::Brdf);
