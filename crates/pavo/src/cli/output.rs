@@ -23,23 +23,47 @@ pub fn warn(message: &str) {
 }
 
 /// Writes a file beside its place and then moves it there: who is killed leaves the old file or the new one, and beside
-/// it at most one `.pavo-*.unfinished` that a later write to the folder removes.
+/// it at most one `.pavo-*.unfinished` that a later write to the folder removes after an hour.
+///
+/// A device or a pipe, such as `/dev/stdout`, is written to and stays what it is; a link stays, and what it names is
+/// replaced.
 pub fn write(path: &Path, bytes: &[u8]) -> Result<(), Failure> {
+    let cannot = |error: std::io::Error| Failure::file(path, "written", &error);
+    match std::fs::metadata(path) {
+        Ok(found) if found.is_dir() => {
+            return Err(Failure::input(
+                format!("{}: cannot be written: it is a folder", path.display()),
+                "name a file in it",
+            ));
+        }
+        Ok(found) if !found.is_file() => {
+            let opened = std::fs::OpenOptions::new().write(true).open(path);
+            return opened.and_then(|mut file| file.write_all(bytes)).map_err(cannot);
+        }
+        Ok(_) => {
+            let file = path.canonicalize().map_err(cannot)?;
+            replace(&file, bytes).map_err(cannot)
+        }
+        Err(_) => replace(path, bytes).map_err(cannot),
+    }
+}
+
+/// Writes an unfinished file beside an ordinary one, and gives it its name when all of it is on the disk.
+fn replace(path: &Path, bytes: &[u8]) -> std::io::Result<()> {
     let folder = match path.parent() {
         Some(folder) if !folder.as_os_str().is_empty() => folder,
         _ => Path::new("."),
     };
     remove_abandoned(folder);
     let unfinished = tempfile::Builder::new().prefix(PREFIX).suffix(SUFFIX).tempfile_in(folder);
-    let written = unfinished.and_then(|mut file| {
+    unfinished.and_then(|mut file| {
         file.write_all(bytes)?;
         make_readable(file.as_file())?;
         // The content is on the disk before the name is: what loses power has the old file or the new one.
         file.as_file().sync_all()?;
         file.persist(path).map_err(|error| error.error)?;
         Ok(())
-    });
-    written.map_err(|error| Failure::file(path, "written", &error))
+    })
 }
 
 /// Removes the unfinished files of runs that were killed. What cannot be removed does no harm.
