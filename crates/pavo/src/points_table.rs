@@ -25,6 +25,10 @@ impl PointsError {
     }
 }
 
+/// The most points that a table may have: with what was written they take some 300 bytes each, and at each, the longest
+/// variant takes some 20 thousand operations.
+pub const MAXIMUM_POINTS: usize = 1_000_000;
+
 /// The points of a table.
 #[derive(Debug)]
 pub struct PointsTable {
@@ -54,7 +58,7 @@ impl PointsTable {
     /// Reads the table `text`, which errors call `name`, for these inputs of a scene.
     ///
     /// # Errors
-    /// Text that is no CSV, columns that are missing or stand twice, and fields that are no finite numbers.
+    /// Text that is no CSV, more than [`MAXIMUM_POINTS`] points, columns that are missing or stand twice, and fields that are no finite numbers.
     pub fn parse(name: &str, text: &[u8], scene: &Scene, inputs: &[Input]) -> Result<Self, PointsError> {
         let columns: Vec<String> = inputs.iter().flat_map(column_names).collect();
         let help = format!("the points need a header and the columns {}", columns.join(","));
@@ -94,6 +98,16 @@ impl PointsTable {
         };
         for record in reader.records() {
             let record = record.map_err(broken)?;
+            if table.points.len() == MAXIMUM_POINTS {
+                let read = record.position().map_or(1, csv::Position::byte).max(1);
+                let estimate = text.len() as f64 / read as f64 * MAXIMUM_POINTS as f64;
+                return Err(PointsError::new(
+                    format!(
+                        "{name}: there are about {estimate:.2e} points; the most that are read are {MAXIMUM_POINTS}"
+                    ),
+                    "divide the table, with the header at the top of each part",
+                ));
+            }
             let line = record.position().map_or(0, csv::Position::line);
             let number = |place: usize| -> Result<f64, PointsError> {
                 let field = &record[place];
