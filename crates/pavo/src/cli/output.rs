@@ -31,14 +31,11 @@ pub fn write(path: &Path, bytes: &[u8]) -> Result<(), Failure> {
     let cannot = |error: std::io::Error| Failure::file(path, "written", &error);
     match std::fs::metadata(path) {
         Ok(found) if found.is_dir() => {
-            return Err(Failure::input(
-                format!("{}: cannot be written: it is a folder", path.display()),
-                "name a file in it",
-            ));
+            Err(Failure::input(format!("{}: cannot be written: it is a folder", path.display()), "name a file in it"))
         }
         Ok(found) if !found.is_file() => {
             let opened = std::fs::OpenOptions::new().write(true).open(path);
-            return opened.and_then(|mut file| file.write_all(bytes)).map_err(cannot);
+            opened.and_then(|mut file| file.write_all(bytes)).map_err(cannot)
         }
         Ok(_) => {
             let file = path.canonicalize().map_err(cannot)?;
