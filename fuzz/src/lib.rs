@@ -11,8 +11,11 @@ use pavo_spectra::illuminant::Illuminant;
 use std::path::Path;
 use std::sync::LazyLock;
 
+/// What is fuzzed.
+pub type Target = fn(&[u8]);
+
 /// The targets by name; the corpus of each lies in the folder of that name.
-pub const TARGETS: [(&str, fn(&[u8])); 4] =
+pub const TARGETS: [(&str, Target); 4] =
     [("scene", scene), ("spectrum", spectrum), ("points", points), ("variant", variant)];
 
 /// A scene is read or refused with an error that can be drawn. One that is read is written and read again as the same,
