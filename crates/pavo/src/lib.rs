@@ -36,6 +36,9 @@ mod inputs;
 mod media;
 mod methods;
 pub mod points;
+#[cfg(feature = "points")]
+pub mod points_table;
+mod reading;
 pub mod scene;
 mod shading;
 pub mod statistics;

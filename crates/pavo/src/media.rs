@@ -1,5 +1,6 @@
 //! From what a scene says of its materials and colours to the data behind the names.
 
+use crate::reading::{MAXIMUM_TABLE_BYTES, read_text_up_to};
 use crate::scene::{Base, Colour, FilmMedium, IlluminantSource, Scene};
 use miette::Diagnostic;
 use pavo_spectra::illuminant::Illuminant;
@@ -92,7 +93,7 @@ pub(crate) fn illuminant_from_file(path: &Path) -> Result<Illuminant, MediaError
 /// The name of a file for messages, and its text.
 fn read(path: &Path) -> Result<(String, String), MediaError> {
     let name = path.display().to_string();
-    match std::fs::read_to_string(path) {
+    match read_text_up_to(path, MAXIMUM_TABLE_BYTES) {
         Ok(text) => Ok((name, text)),
         Err(cause) => Err(MediaError::File { path: name, cause }),
     }

@@ -23,6 +23,11 @@ pub enum Task {
     },
     /// Make the committed fits of the sensitivities again.
     Fits,
+    /// Fuzz what reads users' text, guided by coverage.
+    Fuzz {
+        /// For how many seconds each target runs.
+        seconds: u32,
+    },
     /// Measure the variants beside the shaders that other systems ship.
     Peers {
         /// Whether to install the packages of the other systems first.
@@ -46,6 +51,7 @@ Tasks:
                      (soap-bubble where none is given)
   test [--no-setup]  Set up, then check formatting, lints, the build without features, documentation and tests
   fits               Make the committed fits in crates/pavo-spectra/data/fits again (minutes)
+  fuzz [--seconds N] Build the readers of users' text with counters, and fuzz each for N seconds (60)
   peers [--no-install] [--json]
                      Install the npm package three and the PyPI package MaterialX into target/peers, and measure pavo
                      beside their thin-film shaders: errors, costs, times
@@ -54,7 +60,7 @@ Tasks:
 
 Exit codes: 0 fine, 1 a check failed, 2 bad input, 3 something needed is missing";
 
-const TASKS: &str = "the tasks are setup, demo, test, fits, peers, savings and help";
+const TASKS: &str = "the tasks are setup, demo, test, fits, fuzz, peers, savings and help";
 
 /// Reads the words, the first of which names the task.
 ///
@@ -73,6 +79,7 @@ pub fn parse(words: impl IntoIterator<Item = OsString>) -> Result<Task, Failure>
             Some("demo") => Task::Demo { scene: None },
             Some("test") => Task::Test { set_up: true },
             Some("fits") => Task::Fits,
+            Some("fuzz") => Task::Fuzz { seconds: 60 },
             Some("peers") => Task::Peers { install: true, json: false },
             Some("savings") => Task::Savings,
             Some("help") => Task::Help,
@@ -89,6 +96,8 @@ pub fn parse(words: impl IntoIterator<Item = OsString>) -> Result<Task, Failure>
             (Task::Demo { .. }, other) => return Err(not_taken(&other, "demo", "it takes one scene")),
             (Task::Test { set_up }, Arg::Long("no-setup")) => *set_up = false,
             (Task::Test { .. }, other) => return Err(not_taken(&other, "test", "it takes --no-setup only")),
+            (Task::Fuzz { seconds }, Arg::Long("seconds")) => *seconds = read_seconds(&mut parser)?,
+            (Task::Fuzz { .. }, other) => return Err(not_taken(&other, "fuzz", "it takes --seconds N only")),
             (Task::Peers { install, .. }, Arg::Long("no-install")) => *install = false,
             (Task::Peers { json, .. }, Arg::Long("json")) => *json = true,
             (Task::Peers { .. }, other) => {
@@ -105,6 +114,15 @@ pub fn parse(words: impl IntoIterator<Item = OsString>) -> Result<Task, Failure>
 
 fn next(parser: &mut Parser) -> Result<Option<Arg<'_>>, Failure> {
     parser.next().map_err(|error| Failure::bad_input(error.to_string()))
+}
+
+fn read_seconds(parser: &mut Parser) -> Result<u32, Failure> {
+    let value = parser.value().map_err(|error| Failure::bad_input(error.to_string()))?;
+    let seconds = value.to_str().and_then(|text| text.parse().ok()).filter(|seconds| (1..=86_400).contains(seconds));
+    seconds.ok_or_else(|| {
+        let value = value.to_string_lossy();
+        Failure::bad_input(format!("--seconds is `{value}`; it is a whole number from 1 to 86400"))
+    })
 }
 
 fn not_taken(argument: &Arg<'_>, task: &str, hint: &str) -> Failure {
@@ -137,6 +155,8 @@ mod tests {
             ("fits", Task::Fits),
             ("peers", Task::Peers { install: true, json: false }),
             ("peers --json --no-install", Task::Peers { install: false, json: true }),
+            ("fuzz", Task::Fuzz { seconds: 60 }),
+            ("fuzz --seconds 5", Task::Fuzz { seconds: 5 }),
             ("savings", Task::Savings),
             ("help", Task::Help),
             ("--help", Task::Help),
@@ -150,16 +170,19 @@ mod tests {
     #[test]
     fn other_words_are_refused_with_what_is_taken() {
         for (words, expected) in [
-            ("", "name a task: the tasks are setup, demo, test, fits, peers, savings and help"),
-            ("tset", "`tset` is no task; the tasks are setup, demo, test, fits, peers, savings and help"),
+            ("", "name a task: the tasks are setup, demo, test, fits, fuzz, peers, savings and help"),
+            ("tset", "`tset` is no task; the tasks are setup, demo, test, fits, fuzz, peers, savings and help"),
             (
                 "--no-setup",
-                "cargo xtask does not take `--no-setup`; the tasks are setup, demo, test, fits, peers, savings and help",
+                "cargo xtask does not take `--no-setup`; the tasks are setup, demo, test, fits, fuzz, peers, savings and help",
             ),
             ("demo a b", "demo does not take `b`; it takes one scene"),
             ("demo --no-setup", "demo does not take `--no-setup`; it takes one scene"),
             ("test all", "test does not take `all`; it takes --no-setup only"),
             ("peers three", "peers does not take `three`; it takes --no-install and --json only"),
+            ("fuzz scene", "fuzz does not take `scene`; it takes --seconds N only"),
+            ("fuzz --seconds 0", "--seconds is `0`; it is a whole number from 1 to 86400"),
+            ("fuzz --seconds -1", "--seconds is `-1`; it is a whole number from 1 to 86400"),
             ("test -x", "test does not take `-x`; it takes --no-setup only"),
             ("setup now", "setup does not take `now`; it takes nothing"),
             ("help me", "help does not take `me`; it takes nothing"),

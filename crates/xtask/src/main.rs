@@ -5,6 +5,7 @@ mod command_line;
 mod console;
 mod demo;
 mod failure;
+mod fuzz;
 mod measuring;
 mod peers;
 mod programs;
@@ -44,6 +45,7 @@ fn run() -> Result<(), Failure> {
             demo::run(&workspace, &scene)
         }
         Task::Fits => suite::make_fits(&workspace),
+        Task::Fuzz { seconds } => fuzz::run(&workspace, seconds),
         Task::Peers { install, json } => peers::run(&workspace, install, json),
         Task::Savings => measuring::run(&workspace, "pavo-savings", |measure| measure),
         Task::Test { set_up } => {

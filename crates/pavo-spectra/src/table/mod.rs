@@ -148,7 +148,7 @@ impl<const N: usize> Header<N> {
         let unexpected = |column: &str, fault: &'static str| TableError::UnexpectedColumn {
             table: table.into(),
             line,
-            column: column.into(),
+            column: shown(column),
             fault,
             example: example.into(),
         };
@@ -183,12 +183,21 @@ fn fields(line: &str) -> Vec<&str> {
     line.split(',').map(|field| field.trim().trim_matches('"')).collect()
 }
 
+/// A user's text as a message shows it: short, and with control characters escaped, so that none reaches a terminal.
+fn shown(text: &str) -> String {
+    let mut shown: String = text.chars().take(60).flat_map(char::escape_debug).collect();
+    if text.chars().count() > 60 {
+        shown.push('…');
+    }
+    shown
+}
+
 fn number(table: &str, line: usize, column: &str, text: &str, range: Range) -> Result<f64, TableError> {
     let value = text.parse::<f64>().ok().filter(|value| value.is_finite()).ok_or_else(|| TableError::NotANumber {
         table: table.into(),
         line,
         column: column.into(),
-        text: text.into(),
+        text: shown(text),
     })?;
     if range.holds(value) {
         Ok(value)

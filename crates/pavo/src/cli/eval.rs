@@ -3,19 +3,27 @@
 use super::arguments::{self, Evaluator};
 use super::failure::Failure;
 use super::output;
-use super::points_table::PointsTable;
 use super::progress::Progress;
 use super::sources::Source;
 use crate::inputs::ShadingQuantity;
+use crate::points_table::PointsTable;
+use crate::reading::read_up_to;
 use crate::roads::{self, Road};
 use crate::statistics::Difference;
 use pavo_check::Device;
+
+/// The largest table of points that is read, in bytes.
+const MAXIMUM_POINTS_BYTES: usize = 256 << 20;
 
 /// Evaluates the points, and writes them with their colours.
 pub fn run(arguments: &arguments::Eval) -> Result<(), Failure> {
     let source = Source::load(&arguments.scene, arguments.variant.as_deref())?;
     let quantity = arguments.quantity.into();
-    let table = PointsTable::read(&arguments.points, source.shading.scene(), &source.shading.inputs(quantity))?;
+    let path = &arguments.points;
+    let text = read_up_to(path, MAXIMUM_POINTS_BYTES).map_err(|error| Failure::file(path, "read", &error))?;
+    let inputs = source.shading.inputs(quantity);
+    let table = PointsTable::parse(&path.display().to_string(), &text, source.shading.scene(), &inputs)?;
+    drop(text);
     if !table.ignored.is_empty() {
         output::warn(&format!("no input of the scene is called {}: not used", table.ignored.join(", ")));
     }

@@ -1,6 +1,7 @@
 //! How a command fails: with a message, and with a status that says of what kind.
 
 use crate::media::MediaError;
+use crate::points_table::PointsError;
 use crate::roads::RoadError;
 use crate::scene::SceneError;
 use crate::shading::ShadingError;
@@ -68,6 +69,12 @@ impl From<ShadingError> for Failure {
 
 impl From<MediaError> for Failure {
     fn from(error: MediaError) -> Self {
+        Self { status: BAD_INPUT, report: Report::new(error) }
+    }
+}
+
+impl From<PointsError> for Failure {
+    fn from(error: PointsError) -> Self {
         Self { status: BAD_INPUT, report: Report::new(error) }
     }
 }

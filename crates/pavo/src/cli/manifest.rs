@@ -232,7 +232,7 @@ impl RunRow {
                 .iter()
                 .find(|input| input.name == "cos_theta1")
                 .map_or([0.0, 1.0], |input| [input.low, input.high]),
-            columns: inputs.iter().flat_map(super::points_table::column_names).collect(),
+            columns: inputs.iter().flat_map(crate::points_table::column_names).collect(),
             against_f32: Compared::new(found, cpu.0, points),
             against_f64: Compared::new(found, cpu.1, points),
         }

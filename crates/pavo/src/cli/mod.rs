@@ -17,7 +17,6 @@ mod new;
 mod output;
 mod picture;
 mod plot;
-mod points_table;
 mod preview;
 mod progress;
 mod report;

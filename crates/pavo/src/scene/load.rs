@@ -1,7 +1,6 @@
 //! The two roads from text to a scene: a text in memory, and a file.
 
-use std::fs::File;
-use std::io::{ErrorKind, Read};
+use std::io::ErrorKind;
 use std::path::Path;
 
 use toml::de::DeTable;
@@ -13,6 +12,7 @@ use super::places::Places;
 use super::read::read;
 use super::shown::shown;
 use super::validate::check;
+use crate::reading::read_up_to;
 
 /// The largest scene file that is read, in bytes: 1 MiB, a thousand times the usual size.
 pub const MAXIMUM_FILE_BYTES: usize = 1 << 20;
@@ -66,6 +66,7 @@ fn parse(
 fn read_file(path: &Path, file_name: &str) -> Result<Vec<u8>, SceneError> {
     let cannot = |error: std::io::Error| {
         let (message, help) = match error.kind() {
+            ErrorKind::FileTooLarge => return too_large(file_name),
             ErrorKind::NotFound => (
                 format!("there is no scene file `{file_name}`"),
                 "check the path, or write a new scene with `pavo new NAME`",
@@ -80,11 +81,7 @@ fn read_file(path: &Path, file_name: &str) -> Result<Vec<u8>, SceneError> {
         };
         SceneError::without_source(message, help.to_owned(), None)
     };
-    let mut bytes = Vec::new();
-    // One byte more than is allowed, so that a file without an end is refused like a large one.
-    let limit = MAXIMUM_FILE_BYTES as u64 + 1;
-    File::open(path).map_err(cannot)?.take(limit).read_to_end(&mut bytes).map_err(cannot)?;
-    if bytes.len() > MAXIMUM_FILE_BYTES { Err(too_large(file_name)) } else { Ok(bytes) }
+    read_up_to(path, MAXIMUM_FILE_BYTES).map_err(cannot)
 }
 
 fn too_large(file_name: &str) -> SceneError {

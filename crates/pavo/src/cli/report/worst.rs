@@ -1,6 +1,6 @@
 //! The worst points as a table that `pavo eval` reads.
 
-use crate::cli::points_table::column_names;
+use crate::points_table::column_names;
 use crate::tuning::WorstPoint;
 use pavo_shade::Input;
 

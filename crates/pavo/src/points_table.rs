@@ -1,9 +1,33 @@
 //! Tables of points: CSV whose header names run-time inputs.
 
-use super::failure::Failure;
 use crate::scene::{FilmMedium, Quantity, Scene};
+use miette::Diagnostic;
 use pavo_shade::{Input, Type};
-use std::path::Path;
+use thiserror::Error;
+
+/// Why a table of points was refused: what is wrong, where, and what would be right.
+#[derive(Clone, Debug, PartialEq, Eq, Error, Diagnostic)]
+#[error("{message}")]
+#[diagnostic(help("{help}"))]
+pub struct PointsError {
+    message: String,
+    help: String,
+}
+
+impl PointsError {
+    fn new(message: impl Into<String>, help: impl Into<String>) -> Self {
+        Self { message: message.into(), help: help.into() }
+    }
+
+    /// What would be right.
+    pub fn help_text(&self) -> &str {
+        &self.help
+    }
+}
+
+/// The most points that a table may have: with what was written they take some 300 bytes each, and at each, the longest
+/// variant takes some 20 thousand operations.
+pub const MAXIMUM_POINTS: usize = 1_000_000;
 
 /// The points of a table.
 #[derive(Debug)]
@@ -31,25 +55,23 @@ pub fn column_names(input: &Input) -> Vec<String> {
 }
 
 impl PointsTable {
-    /// Reads a table of points for these inputs.
-    pub fn read(path: &Path, scene: &Scene, inputs: &[Input]) -> Result<Self, Failure> {
-        let text = std::fs::read(path).map_err(|error| Failure::file(path, "read", &error))?;
-        Self::parse(&path.display().to_string(), &text, scene, inputs)
-    }
-
-    fn parse(name: &str, text: &[u8], scene: &Scene, inputs: &[Input]) -> Result<Self, Failure> {
+    /// Reads the table `text`, which errors call `name`, for these inputs of a scene.
+    ///
+    /// # Errors
+    /// Text that is no CSV, more than [`MAXIMUM_POINTS`] points, columns that are missing or stand twice, and fields that are no finite numbers.
+    pub fn parse(name: &str, text: &[u8], scene: &Scene, inputs: &[Input]) -> Result<Self, PointsError> {
         let columns: Vec<String> = inputs.iter().flat_map(column_names).collect();
         let help = format!("the points need a header and the columns {}", columns.join(","));
-        let broken = |error: csv::Error| Failure::input(format!("{name}: {error}"), &help);
+        let broken = |error: csv::Error| PointsError::new(format!("{name}: {error}"), &help);
         let text = text.strip_prefix(b"\xef\xbb\xbf").unwrap_or(text);
         let mut reader = csv::ReaderBuilder::new().trim(csv::Trim::All).comment(Some(b'#')).from_reader(text);
         let header: Vec<String> = reader.headers().map_err(broken)?.iter().map(str::to_owned).collect();
         for (index, column) in header.iter().enumerate() {
             if header[..index].contains(column) {
-                return Err(Failure::input(format!("{name}: the column `{}` stands twice", shown(column)), &help));
+                return Err(PointsError::new(format!("{name}: the column `{}` stands twice", shown(column)), &help));
             }
             if let Some(value) = fixed_in(scene, column) {
-                return Err(Failure::input(
+                return Err(PointsError::new(
                     format!("{name}: `{column}` is fixed at {value} in the scene {}", scene.name),
                     "leave the column out, or make it a range [low, high] in the scene to vary it",
                 ));
@@ -59,9 +81,9 @@ impl PointsTable {
             header
                 .iter()
                 .position(|other| other == column)
-                .ok_or_else(|| Failure::input(format!("{name}: the column `{column}` is missing"), &help))
+                .ok_or_else(|| PointsError::new(format!("{name}: the column `{column}` is missing"), &help))
         };
-        let places = columns.iter().map(place).collect::<Result<Vec<usize>, Failure>>()?;
+        let places = columns.iter().map(place).collect::<Result<Vec<usize>, PointsError>>()?;
         let expected_places: Vec<usize> =
             ["r", "g", "b"].iter().filter_map(|column| header.iter().position(|other| other == column)).collect();
         let ranges: Vec<[f64; 2]> =
@@ -76,11 +98,21 @@ impl PointsTable {
         };
         for record in reader.records() {
             let record = record.map_err(broken)?;
+            if table.points.len() == MAXIMUM_POINTS {
+                let read = record.position().map_or(1, csv::Position::byte).max(1);
+                let estimate = text.len() as f64 / read as f64 * MAXIMUM_POINTS as f64;
+                return Err(PointsError::new(
+                    format!(
+                        "{name}: there are about {estimate:.2e} points; the most that are read are {MAXIMUM_POINTS}"
+                    ),
+                    "divide the table, with the header at the top of each part",
+                ));
+            }
             let line = record.position().map_or(0, csv::Position::line);
-            let number = |place: usize| -> Result<f64, Failure> {
+            let number = |place: usize| -> Result<f64, PointsError> {
                 let field = &record[place];
                 field.parse::<f64>().ok().filter(|value| (*value as f32).is_finite()).ok_or_else(|| {
-                    Failure::input(
+                    PointsError::new(
                         format!(
                             "{name}:{line}: `{}` in the column `{}` is not a finite number",
                             shown(field),
@@ -90,7 +122,7 @@ impl PointsTable {
                     )
                 })
             };
-            let point = places.iter().map(|&place| number(place)).collect::<Result<Vec<f64>, Failure>>()?;
+            let point = places.iter().map(|&place| number(place)).collect::<Result<Vec<f64>, PointsError>>()?;
             if point.iter().zip(&ranges).any(|(value, [low, high])| value < low || value > high) {
                 table.out_of_range += 1;
             }
@@ -101,7 +133,7 @@ impl PointsTable {
             table.points.push(point);
         }
         if table.points.is_empty() {
-            return Err(Failure::input(format!("{name}: there are no points under the header"), &help));
+            return Err(PointsError::new(format!("{name}: there are no points under the header"), &help));
         }
         Ok(table)
     }
