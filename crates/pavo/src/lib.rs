@@ -35,6 +35,7 @@ mod fixed_film;
 mod inputs;
 mod media;
 mod methods;
+pub mod numerics;
 pub mod points;
 pub mod scene;
 mod shading;
