@@ -109,3 +109,110 @@ fn bounds_are_broken_by_what_lies_outside_of_them() {
     assert_eq!(moved(f32::NAN).outside + moved(0.0).unbounded, 100);
     assert!(moved(5.0).outside + moved(0.0).unbounded == 100, "{:?}", moved(5.0));
 }
+
+/// Films of which angle, thickness and index vary.
+const VARYING: [(&str, &str); 2] = [
+    ("dielectric", "[film]\nior = [1.2, 1.6]\nthickness_nm = [50, 1200]\n[base]\nior = 1.7\n"),
+    ("conductor", "[film]\nior = [1.6, 2.4]\nthickness_nm = [50, 600]\n[base]\nior = 2.7\nkappa = 3.8\n"),
+];
+
+/// What the colour is differentiated by, and the step of differences.
+const VARIABLES: [(&str, f64); 3] = [("cos_theta1", 1e-4), ("thickness_nm", 0.05), ("film_ior", 1e-4)];
+
+/// The largest change of a round trip's phase at 380 nm, `4 pi d q2 / 380`, with a unit of each variable, radians; `q2` is
+/// the root of `n2^2 - 1 + cos1^2`. An error of the colour that waves as the colour does has this slope.
+fn phase_speeds(thickness_nm: f64, [lowest_ior, highest_ior]: [f64; 2]) -> [f64; 3] {
+    let wave_number = 4.0 * std::f64::consts::PI / 380.0;
+    let by_cosine = thickness_nm / lowest_ior;
+    let by_index = thickness_nm * lowest_ior / (lowest_ior * lowest_ior - 1.0).sqrt();
+    [by_cosine, highest_ior, by_index].map(|factor| factor * wave_number)
+}
+
+#[test]
+fn derivatives_are_those_of_the_exact_reference_within_the_variants_own_error() {
+    for (name, layers) in VARYING {
+        for variant in ["poles:k=6", "spectral:n=161"] {
+            let shading = shading(name, layers, variant);
+            let inputs = shading.inputs(QUANTITY);
+            let mut inside = inputs.clone();
+            inside[0].low = 0.1;
+            inside[0].high = 0.999;
+            let points = spread(&inside, 400, 13);
+            let reference = |points: &[Vec<f64>]| {
+                shading.reference_each(QUANTITY, points).unwrap_or_else(|error| panic!("{name}: {error}"))
+            };
+            let error = |found: &[[f64; 3]], expected: &[[f64; 3]]| {
+                let pairs = found.iter().flatten().zip(expected.iter().flatten());
+                pairs.map(|(found, expected)| (found - expected).abs()).fold(0.0, f64::max)
+            };
+            let own = error(&shading.evaluate_each(QUANTITY, &points), &reference(&points));
+            let speeds = phase_speeds(inputs[1].high, [inputs[2].low, inputs[2].high]);
+            for (place, ((variable, step), speed)) in VARIABLES.into_iter().zip(speeds).enumerate() {
+                assert_eq!(inputs[place].name, variable);
+                let moved = |step: f64| {
+                    let moved = |point: &Vec<f64>| {
+                        let mut point = point.clone();
+                        point[place] += step;
+                        point
+                    };
+                    reference(&points.iter().map(moved).collect::<Vec<_>>())
+                };
+                let (before, after) = (moved(-step), moved(step));
+                let expected: Vec<[f64; 3]> = (before.iter().zip(&after))
+                    .map(|(before, after)| [0, 1, 2].map(|channel| (after[channel] - before[channel]) / (2.0 * step)))
+                    .collect();
+                let found = error(&derivatives(&shading, &points, place), &expected);
+                let largest = error(&expected, &vec![[0.0; 3]; expected.len()]);
+                let allowed = own * speed;
+                println!(
+                    "{name}, {variant}: by {variable} {found:.2e} of up to {largest:.2e}, allowed {allowed:.2e}; \
+                     own error {own:.2e}"
+                );
+                assert!(found <= allowed, "{name}, {variant}: by {variable} {found:e}, allowed {allowed:e}");
+                // A derivative of 0 would not be within.
+                assert!(allowed < largest, "{name}, {variant}: by {variable} {allowed:e} of {largest:e} tells nothing");
+            }
+        }
+    }
+}
+
+/// The numbers of which the condition is given, and whether the scene fixes them.
+const CONDITIONS: [(&str, &[(&str, bool)]); 2] = [
+    ("dielectric", &[("cos_theta1", false), ("thickness_nm", false), ("film_ior", true), ("base_ior", true)]),
+    (
+        "conductor",
+        &[("cos_theta1", false), ("thickness_nm", false), ("film_ior", true), ("base_ior", true), ("base_kappa", true)],
+    ),
+];
+
+#[test]
+fn the_figures_of_a_variant_follow_from_its_error_and_are_the_same_each_time() {
+    for ((name, layers), (_, expected)) in FILMS.into_iter().zip(CONDITIONS) {
+        for variant in ["poles:k=6", "series:m=3,fit=xyz-gauss"] {
+            let shading = shading(name, layers, variant);
+            let found = || Numerics::of(&shading).unwrap_or_else(|error| panic!("{name}: {error}"));
+            let numerics = found();
+            assert_eq!(numerics, found(), "{name}, {variant}");
+            let needs = &numerics.needs;
+            println!("{name}, {variant}: {needs:?}");
+            assert!(needs.met && needs.added.is_within(needs.budget), "{name}, {variant}: {needs:?}");
+            assert!(needs.budget.max >= numerics.own_error.max, "{name}, {variant}: {needs:?}");
+            // Somewhere between what all devices keep to and an error that spoils everything.
+            let sizes = [needs.sin, needs.cos].map(|size| size.unwrap_or_else(|| panic!("{variant} has waves")));
+            assert!(sizes.iter().all(|size| (5e-6..0.1).contains(size)), "{name}, {variant}: {needs:?}");
+            let exact = &numerics.policies[0];
+            assert_eq!((exact.policy, exact.not_finite), ("exact", 0));
+            assert!(exact.against_f64.max <= 4e-6, "{name}, {variant}: {exact:?}");
+            let waves = numerics.policies.last().expect("Vulkan's").against_f64;
+            assert!(waves.max > 10.0 * exact.against_f64.max, "{name}, {variant}: {waves:?}");
+            let rows: Vec<(&str, bool)> =
+                numerics.condition.iter().map(|row| (row.input.as_str(), row.fixed)).collect();
+            let known: Vec<_> = rows.iter().copied().filter(|(input, _)| *input != "ambient_ior").collect();
+            assert_eq!(known, expected, "{name}, {variant}");
+            for row in &numerics.condition {
+                assert!(row.absolute.median > 0.0 && row.absolute.median <= row.absolute.max, "{name}: {row:?}");
+                assert!(row.relative.max.is_finite() && row.relative.median > 0.0, "{name}: {row:?}");
+            }
+        }
+    }
+}
