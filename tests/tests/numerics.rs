@@ -50,12 +50,20 @@ fn points(shading: &Shading, count: usize, seed: u64) -> Vec<Vec<f32>> {
 /// Compares the CPU, and a device where there is one, with the bounds.
 fn enclosures(shading: &Shading, device: Option<&Device>) -> [Enclosure; 2] {
     let points = points(shading, samples(), 11);
-    let bounds = ReflectanceBounds::of(shading, BOXES);
+    let bounds = ReflectanceBounds::of(shading, boxes(shading.variant()));
     let on_device = device.map_or_else(Enclosure::default, |device| {
         let colors = roads::evaluate(device, Road::Wgsl, shading, QUANTITY, &points);
         bounds.enclose(&points, &colors.unwrap_or_else(|error| panic!("{}: {error}", shading.variant())))
     });
     [bounds.enclose(&points, &shading.evaluate_each_f32(QUANTITY, &points)), on_device]
+}
+
+/// How many boxes a variant is bounded over: the kernel under a window divides by what only small boxes keep off 0.
+fn boxes(variant: &Variant) -> usize {
+    match variant {
+        Variant::Windowed { .. } | Variant::Cosines { .. } => 64 * BOXES,
+        _ => BOXES,
+    }
 }
 
 /// Whether a variant is made for a film by the solver, which takes seconds: its functions are those of other variants,
@@ -77,11 +85,12 @@ fn bounds_enclose_what_the_cpu_and_lavapipe_compute_by_every_built_in_variant() 
             let Ok(shading) = Shading::new(&scene, variant) else { continue };
             variants.insert(variant.to_string());
             let found = enclosures(&shading, Some(&device));
-            let summary = ReflectanceBounds::of(&shading, BOXES).summary();
-            println!("{name}, {variant}: {found:?}, {summary:?}");
+            println!("{name}, {variant}: {found:?}");
             for (place, found) in found.iter().enumerate() {
                 assert_eq!(found.outside, 0, "{name}, {variant}, road {place}: {found:?}");
                 assert_eq!(found.samples, samples(), "{name}, {variant}, road {place}: {found:?}");
+                // Where nothing is bounded, nothing was compared.
+                assert!(found.unbounded < found.samples, "{name}, {variant}, road {place}: {found:?}");
                 total[place].samples += found.samples;
                 total[place].unbounded += found.unbounded;
             }
@@ -119,8 +128,12 @@ const VARYING: [(&str, &str); 2] = [
 /// What the colour is differentiated by, and the step of differences.
 const VARIABLES: [(&str, f64); 3] = [("cos_theta1", 1e-4), ("thickness_nm", 0.05), ("film_ior", 1e-4)];
 
+/// An error of the colour is a sum of waves, one for each order of round trips: its slope is at most so large that it waves
+/// at the phase of the second order, as far as orders above that are small.
+const ORDERS: f64 = 2.0;
+
 /// The largest change of a round trip's phase at 380 nm, `4 pi d q2 / 380`, with a unit of each variable, radians; `q2` is
-/// the root of `n2^2 - 1 + cos1^2`. An error of the colour that waves as the colour does has this slope.
+/// the root of `n2^2 - 1 + cos1^2`.
 fn phase_speeds(thickness_nm: f64, [lowest_ior, highest_ior]: [f64; 2]) -> [f64; 3] {
     let wave_number = 4.0 * std::f64::consts::PI / 380.0;
     let by_cosine = thickness_nm / lowest_ior;
@@ -163,14 +176,17 @@ fn derivatives_are_those_of_the_exact_reference_within_the_variants_own_error() 
                     .collect();
                 let found = error(&derivatives(&shading, &points, place), &expected);
                 let largest = error(&expected, &vec![[0.0; 3]; expected.len()]);
-                let allowed = own * speed;
+                let allowed = own * ORDERS * speed;
                 println!(
                     "{name}, {variant}: by {variable} {found:.2e} of up to {largest:.2e}, allowed {allowed:.2e}; \
                      own error {own:.2e}"
                 );
                 assert!(found <= allowed, "{name}, {variant}: by {variable} {found:e}, allowed {allowed:e}");
-                // A derivative of 0 would not be within.
-                assert!(allowed < largest, "{name}, {variant}: by {variable} {allowed:e} of {largest:e} tells nothing");
+                // A derivative that is off by a tenth of the largest would not be within.
+                assert!(
+                    allowed < 0.1 * largest,
+                    "{name}, {variant}: by {variable} {allowed:e} of {largest:e} tells nothing"
+                );
             }
         }
     }
@@ -198,7 +214,8 @@ fn the_figures_of_a_variant_follow_from_its_error_and_are_the_same_each_time() {
             assert!(needs.met && needs.added.is_within(needs.budget), "{name}, {variant}: {needs:?}");
             assert!(needs.budget.max >= numerics.own_error.max, "{name}, {variant}: {needs:?}");
             // Somewhere between what all devices keep to and an error that spoils everything.
-            let sizes = [needs.sin, needs.cos].map(|size| size.unwrap_or_else(|| panic!("{variant} has waves")));
+            let sizes: Vec<f64> = [needs.sin, needs.cos].into_iter().flatten().collect();
+            assert!(!sizes.is_empty(), "{name}, {variant}: {needs:?}");
             assert!(sizes.iter().all(|size| (5e-6..0.1).contains(size)), "{name}, {variant}: {needs:?}");
             let exact = &numerics.policies[0];
             assert_eq!((exact.policy, exact.not_finite), ("exact", 0));
