@@ -1,6 +1,7 @@
 //! Outward-rounded bounds of a reflectance over boxes of the ranges of its inputs.
 //!
-//! They hold for `f64` and for `f32` on any device that keeps to the precision of `pavo_shade::interval::Single`.
+//! Bounds lose what connects two numbers: they are wide where a method divides by a difference of such, as the kernel
+//! under a window does, which needs small boxes to be bounded at all. They hold for `f64` and for `f32` on any device that keeps to the precision of `pavo_shade::interval::Single`.
 
 use super::{QUANTITY, inputs, on_all_cores, reflectances};
 use crate::points::columns;
@@ -25,9 +26,9 @@ pub struct ReflectanceBounds {
 pub struct Summary {
     /// How many boxes the ranges were divided into.
     pub boxes: usize,
-    /// The lower bound of each channel over all boxes that are bounded.
+    /// The lower bound of each channel over all boxes that are bounded; infinite, in JSON `null`, where none is.
     pub low: [f64; 3],
-    /// The upper bound of each channel over all boxes that are bounded.
+    /// The upper bound of each channel over all boxes that are bounded; infinite, in JSON `null`, where none is.
     pub high: [f64; 3],
     /// The mean distance between the bounds of a box.
     pub mean_width: f64,
