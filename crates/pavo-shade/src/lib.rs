@@ -63,10 +63,14 @@
 //! - [`Dual`] gives derivatives of its results.
 //! - [`Emulated`] is `f32` with what drivers do to it: contraction, flushing, inexact sines and quotients.
 //! - [`Half`] rounds each operation to half precision.
+//!
+//! [`evaluate`] computes a recorded program on any of them: what is emitted, and not the function that it comes from.
+//! [`evaluate_inexact`] gives its sines, cosines and exponentials errors of any size.
 
 mod bounds;
 mod dual;
 pub mod emulated;
+mod evaluation;
 mod expr;
 mod fold;
 mod function;
@@ -85,9 +89,10 @@ mod table;
 mod triple;
 mod value;
 
-pub use bounds::{Bounds, FunctionBounds, bounds};
+pub use bounds::{Bounds, FunctionBounds, bounds, bounds_over};
 pub use dual::Dual;
 pub use emulated::Emulated;
+pub use evaluation::{FunctionErrors, evaluate, evaluate_inexact};
 pub use expr::{Expr, ExprMask};
 pub use function::{FunctionInfo, Input, ParameterInfo, Rate};
 pub use graph::{BinaryOp, Comparison, Graph, Node, NodeId, Op, Type, UnaryOp};

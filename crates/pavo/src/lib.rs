@@ -35,6 +35,7 @@ mod fixed_film;
 mod inputs;
 mod media;
 mod methods;
+pub mod numerics;
 pub mod points;
 #[cfg(feature = "points")]
 pub mod points_table;

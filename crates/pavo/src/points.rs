@@ -28,6 +28,19 @@ fn steps(dimensions: usize) -> Vec<f64> {
     (1..=dimensions).map(|power| root.powi(-(power as i32))).collect()
 }
 
+/// Where each number that a program takes stands in a point of the declared inputs.
+pub(crate) fn columns(declared: &[Input], taken: &[Input]) -> Vec<usize> {
+    let mut columns = Vec::new();
+    let mut offset = 0;
+    for input in declared {
+        if taken.iter().any(|other| other.name == input.name) {
+            columns.extend(offset..offset + input.components());
+        }
+        offset += input.components();
+    }
+    columns
+}
+
 #[cfg(test)]
 mod tests {
     use super::spread;

@@ -1,10 +1,11 @@
 //! The three roads by which emitted code runs on a device.
 
 use crate::inputs::ShadingQuantity;
+use crate::points::columns;
 use crate::{Shading, compute};
 use pavo_check::{CheckError, ComputeShader, Device, Stage, glsl_to_spirv, judge_spirv, judge_text, wgsl_to_spirv};
 use pavo_emit::{Dialect, EmitError, Form, Language, WORKGROUP_SIZE};
-use pavo_shade::{Input, Table};
+use pavo_shade::Table;
 use thiserror::Error;
 
 /// A way from the emitted code to the device.
@@ -93,17 +94,4 @@ pub fn evaluate(
 /// A table as a buffer of [`Road::spirv`] holds it: a fourth number after each three.
 pub fn table_numbers(table: &Table) -> Vec<f32> {
     table.rows.iter().flat_map(|[x, y, z]| [*x as f32, *y as f32, *z as f32, 0.0]).collect()
-}
-
-/// Where each number that the program takes stands in a point.
-fn columns(declared: &[Input], taken: &[Input]) -> Vec<usize> {
-    let mut columns = Vec::new();
-    let mut offset = 0;
-    for input in declared {
-        if taken.iter().any(|other| other.name == input.name) {
-            columns.extend(offset..offset + input.components());
-        }
-        offset += input.components();
-    }
-    columns
 }

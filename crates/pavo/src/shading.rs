@@ -120,6 +120,23 @@ impl Shading {
         &self.surface.specular
     }
 
+    /// The surface with the indices and the thickness that the scene fixes as inputs of one value each, where its
+    /// method is for films of any: nothing is fitted anew.
+    pub(crate) fn with_all_inputs(&self) -> Self {
+        let is_general = match &self.surface.specular {
+            Specular::Film(film) | Specular::FilmOnMetalness(film) | Specular::FilmOnChannels { film, .. } => {
+                !matches!(film.method, Method::WindowedGroups { .. })
+            }
+            Specular::Bare(_) | Specular::BareMetalness { .. } | Specular::BareSpectral(_) => true,
+            Specular::Baked(_) | Specular::Table(_) | Specular::Fitted(_) => false,
+        };
+        let mut opened = self.clone();
+        if is_general {
+            opened.scene.open_layers();
+        }
+        opened
+    }
+
     /// The sensitivities of the output channels.
     pub(crate) fn sensitivities(&self) -> &Sensitivities {
         &self.sensitivities

@@ -1,7 +1,7 @@
 //! What may be proven of a program: that one operand of a guard never is the smaller one, or that a condition is
 //! always the same.
 
-use super::layout::{Layout, Slots, width};
+use crate::evaluation::{Layout, Slots, width};
 use crate::graph::{BinaryOp, Op, Type, UnaryOp};
 use crate::interval::{Interval, Precision};
 

@@ -2,18 +2,15 @@
 
 mod boxes;
 mod claims;
-mod evaluator;
-mod layout;
 mod search;
 
 pub(crate) use claims::{Claim, Fact};
 
+use crate::evaluation::{Evaluator, Frame, Layout, Slots, width};
 use crate::graph::{Node, Type};
 use crate::interval::{Interval, Precision};
 use crate::program::{Definition, Program};
 use boxes::halved;
-use evaluator::Evaluator;
-use layout::{Layout, width};
 use search::Search;
 
 /// The bounds of each node of a function, by component; a node that stands for all results of a call may be anything.
@@ -49,11 +46,11 @@ pub fn bounds<P: Precision>(program: &Program, parts: usize) -> Bounds<P> {
     }
     // Constants are in no node's bounds that was not evaluated.
     let at = |slot: usize| joined[slot].unwrap_or(evaluator.slots[slot]);
-    let value = |slots: layout::Slots| [0, 1, 2].map(|component| at(slots.component(component)));
+    let value = |slots: Slots| [0, 1, 2].map(|component| at(slots.component(component)));
     let body = layout.body();
-    let of_function = |(frame, definition): (&layout::Frame, &&Definition)| {
+    let of_function = |(frame, definition): (&Frame, &&Definition)| {
         let nodes = frame.nodes.iter().zip(&definition.nodes);
-        let of_node = |(&slots, node): (&layout::Slots, &Node)| match node.ty {
+        let of_node = |(&slots, node): (&Slots, &Node)| match node.ty {
             Type::Results => [Interval::anything(); 3],
             _ => value(slots),
         };
@@ -63,6 +60,22 @@ pub fn bounds<P: Precision>(program: &Program, parts: usize) -> Bounds<P> {
         functions: layout.frames.iter().zip(&layout.definitions).map(of_function).collect(),
         outputs: layout.frames[body].results.iter().map(|&slots| value(slots)).collect(),
     }
+}
+
+/// The bounds of a program's outputs, by component, over each of some boxes: for each number of its inputs the smallest
+/// and the largest, in the order of [`Program::inputs`].
+///
+/// # Panics
+/// If the number of ranges of a box is not [`Program::input_components`].
+pub fn bounds_over<P: Precision>(program: &Program, boxes: &[Vec<[f64; 2]>]) -> Vec<Vec<[Interval<P>; 3]>> {
+    let layout = Layout::new(program);
+    let mut evaluator = Evaluator::<Interval<P>>::new(&layout);
+    let of_box = |ranges: &Vec<[f64; 2]>| {
+        assert_eq!(ranges.len(), program.input_components(), "one range per component of each input");
+        let part: Vec<Interval<P>> = ranges.iter().map(|&[low, high]| Interval::new(low, high)).collect();
+        evaluator.outputs(&part)
+    };
+    boxes.iter().map(of_box).collect()
 }
 
 /// The claims on a program's guards that hold for all inputs within their ranges.

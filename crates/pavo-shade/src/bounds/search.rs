@@ -7,8 +7,8 @@
 
 use super::boxes::{Parameters, halved, halves, points, widest};
 use super::claims::{Claim, NOTHING, claims, joined};
-use super::evaluator::{Evaluator, Origin};
-use super::layout::{Layout, Slots};
+use crate::evaluation::{Evaluator, Origin};
+use crate::evaluation::{Layout, Slots};
 use crate::function::Input;
 use crate::interval::{Interval, Precision};
 

@@ -18,7 +18,7 @@
 //! assert_eq!((contracting * contracting - contracting).value(), a.mul_add(a, -a));
 //! ```
 
-mod noise;
+pub(crate) mod noise;
 mod policy;
 
 pub use policy::{Contracting, Exact, Flushing, Loose, Policy, SwiftShader, Vulkan};

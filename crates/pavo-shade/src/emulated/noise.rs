@@ -4,7 +4,7 @@
 /// bits.
 ///
 /// Source: the finaliser of SplitMix64, Steele, Lea and Flood 2014, "Fast splittable pseudorandom number generators".
-pub(super) fn noise(operation: [f32; 3]) -> f64 {
+pub(crate) fn noise(operation: [f32; 3]) -> f64 {
     let mix = |state: u64, number: f32| {
         let sum = state.wrapping_add(u64::from(number.to_bits())).wrapping_add(0x9e37_79b9_7f4a_7c15);
         let mixed = (sum ^ (sum >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);

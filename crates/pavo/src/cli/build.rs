@@ -9,6 +9,7 @@ use super::progress::Progress;
 use super::sources::{Emitted, Source};
 use crate::emission::library_quantity;
 use crate::inputs::ShadingQuantity;
+use crate::numerics::{FunctionNeeds, Numerics};
 use crate::points::spread;
 use crate::points_table::{column_names, digits};
 use crate::roads::{self, Road};
@@ -55,6 +56,7 @@ pub fn run(arguments: &arguments::Build) -> Result<(), Failure> {
         left_out: shading.left_out(library_quantity(shading.scene())),
         runs,
         against_reference: against_reference(shading, REFERENCE_POINTS)?,
+        numerics: Numerics::of(shading)?,
         warnings: shading.warnings(),
     };
     let folder = arguments.output.clone().unwrap_or_else(|| PathBuf::from(&shading.scene().name));
@@ -191,6 +193,7 @@ fn report(folder: &Path, manifest: &Manifest<'_>, emitted: &[Emitted]) -> String
         ));
     }
     let reference = &manifest.against_reference;
+    text.push_str(&needs(&manifest.numerics.needs));
     text.push_str(&format!(
         "\nReflectance against the exact spectral reference: max {:.2e}, RMS {:.2e} over {} points.\n\
          All figures: {}\n",
@@ -200,6 +203,18 @@ fn report(folder: &Path, manifest: &Manifest<'_>, emitted: &[Emitted]) -> String
         folder.join("manifest.json").display()
     ));
     text
+}
+
+/// What the variant needs of a driver's functions.
+fn needs(needs: &FunctionNeeds) -> String {
+    let named = [("sin", needs.sin), ("cos", needs.cos), ("exp", needs.exp)];
+    let named: Vec<String> =
+        named.iter().filter_map(|(name, error)| error.map(|error| format!("{name} {error:.0e}"))).collect();
+    match (named.is_empty(), needs.met) {
+        (true, _) => "\nNeeds no sine, cosine or exponential.\n".to_owned(),
+        (_, true) => format!("\nErrors of functions that add less than its own: {}.\n", named.join(", ")),
+        (_, false) => format!("\nErrors of functions that already add more than its own: {}.\n", named.join(", ")),
+    }
 }
 
 /// The worst point of the reflectance on any road, away from grazing angles.

@@ -3,6 +3,7 @@
 use super::sources::Emitted;
 use crate::emission::library_quantity;
 use crate::inputs::ShadingQuantity;
+use crate::numerics::Numerics;
 use crate::points::spread;
 use crate::roads::Road;
 use crate::scene::Scene;
@@ -35,6 +36,8 @@ pub struct Manifest<'a> {
     pub runs: Option<Runs>,
     /// The reflectance of the variant, in f64, against the exact spectral reference over the scene's ranges.
     pub against_reference: Difference,
+    /// What the variant needs of drivers, and how it behaves as numbers.
+    pub numerics: Numerics,
     /// What should be said of the data.
     pub warnings: Vec<String>,
 }

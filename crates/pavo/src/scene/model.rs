@@ -56,6 +56,28 @@ impl Budget {
 }
 
 impl Scene {
+    /// Makes inputs of one value of the thickness and the indices that are fixed, so that it can be asked how much the
+    /// surface depends on them. Such a scene does not pass [`Scene::validate`].
+    pub(crate) fn open_layers(&mut self) {
+        let open = |quantity: &mut Quantity| {
+            if let Quantity::Fixed(value) = *quantity {
+                *quantity = Quantity::Range { low: value, high: value };
+            }
+        };
+        open(&mut self.ambient.ior);
+        if let Some(film) = &mut self.film {
+            open(&mut film.thickness_nm);
+            if let FilmMedium::Index(ior) = &mut film.medium {
+                open(ior);
+            }
+        }
+        match &mut self.base {
+            Base::Dielectric { ior } => open(ior),
+            Base::Conductor { ior, kappa } => [ior, kappa].into_iter().for_each(open),
+            Base::Metal { .. } | Base::Table { .. } | Base::Metalness => {}
+        }
+    }
+
     /// A bare surface of `base` with every default: no film, in air, roughness as an input, all default targets.
     ///
     /// With [`Base::Metalness`], metalness is an input over [0, 1] and the base colour is an input.

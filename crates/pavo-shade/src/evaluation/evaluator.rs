@@ -1,20 +1,24 @@
-//! Evaluation of a laid-out program on what is no plain number: on intervals, or on what a number depends on.
+//! Evaluation of a laid-out program on anything that takes the place of a number: on the numbers that functions are
+//! judged by, on intervals, or on what a number depends on.
 
 use super::layout::{Copying, Layout, Slots, Step};
 use crate::graph::{BinaryOp, Comparison, Op, UnaryOp};
 use crate::interval::{Interval, Precision, Truth};
+use crate::table::Table;
 
 /// What takes the place of a number.
-pub(super) trait Domain: Copy {
+pub(crate) trait Domain: Copy {
     /// A constant.
     fn literal(value: f64) -> Self;
     /// One component of an operation, from the same component of its operands. A scalar product is given the components
     /// of both vectors, and the scaling to length 1 those of its vector from the wanted one on.
     fn apply(op: Op, operands: &[Self]) -> Self;
+    /// One component of a row of a table, from the row's index and the least and the greatest of that component.
+    fn fetch(table: &Table, component: usize, operands: &[Self; 3]) -> Self;
 }
 
 /// The values of a program at one evaluation.
-pub(super) struct Evaluator<'a, V> {
+pub(crate) struct Evaluator<'a, V> {
     layout: &'a Layout<'a>,
     pub slots: Vec<V>,
 }
@@ -37,6 +41,14 @@ impl<'a, V: Domain> Evaluator<'a, V> {
             values.nth(width - 1);
         }
         self.run_steps(function, after);
+    }
+
+    /// The outputs by component, a scalar repeated, for the numbers of the inputs.
+    pub fn outputs(&mut self, inputs: &[V]) -> Vec<[V; 3]> {
+        let body = self.layout.body();
+        self.run(body, inputs, &mut |_, _| {});
+        let results = self.layout.frames[body].results.iter();
+        results.map(|slots| [0, 1, 2].map(|component| self.slots[slots.component(component)])).collect()
     }
 
     fn run_steps(&mut self, function: usize, after: &mut impl FnMut(usize, &[V])) {
@@ -84,6 +96,13 @@ impl<'a, V: Domain> Evaluator<'a, V> {
                     self.slots[to + component] = V::apply(op, &values);
                 }
             }
+            Op::Fetch(table, _) => {
+                let table = &self.layout.tables[table as usize];
+                for component in 0..width {
+                    let values = [a, b, c].map(|operand| self.slots[operand.component(component)]);
+                    self.slots[to + component] = V::fetch(table, component, &values);
+                }
+            }
             _ => {
                 for component in 0..width {
                     let values = [a, b, c].map(|operand| self.slots[operand.component(component)]);
@@ -102,11 +121,14 @@ impl Domain for u64 {
     fn apply(_: Op, operands: &[Self]) -> Self {
         operands.iter().fold(0, |all, operand| all | operand)
     }
+    fn fetch(_: &Table, _: usize, [index, ..]: &[Self; 3]) -> Self {
+        *index
+    }
 }
 
 /// Where a value comes from: whether it is just a parameter.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) enum Origin {
+pub(crate) enum Origin {
     Parameter(usize),
     Computed,
 }
@@ -116,6 +138,9 @@ impl Domain for Origin {
         Origin::Computed
     }
     fn apply(_: Op, _: &[Self]) -> Self {
+        Origin::Computed
+    }
+    fn fetch(_: &Table, _: usize, _: &[Self; 3]) -> Self {
         Origin::Computed
     }
 }
@@ -161,9 +186,12 @@ impl<P: Precision> Domain for Interval<P> {
             (Op::Select(..), &[mask, a, b]) => Self::chosen(Truth::new(mask.high() > 0.0, mask.low() < 1.0), a, b),
             (Op::Clamp(..), &[x, low, high]) => x.larger(low).smaller(high),
             (Op::Mix(..), &[a, b, t]) => Self::mixed(a, b, t),
-            // Any row may be read: the operands are the index, and the least and the greatest of the rows.
-            (Op::Fetch(..), &[_, low, high]) => low.hull(high),
             _ => unreachable!("the other operations are no steps"),
         }
+    }
+
+    /// Any row may be read.
+    fn fetch(_: &Table, _: usize, &[_, low, high]: &[Self; 3]) -> Self {
+        low.hull(high)
     }
 }

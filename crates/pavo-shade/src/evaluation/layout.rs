@@ -19,14 +19,14 @@ impl Slots {
 
 /// A value that is copied, component by component.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Copying {
+pub(crate) struct Copying {
     pub from: Slots,
     pub to: usize,
     pub width: usize,
 }
 
 #[derive(Debug)]
-pub(super) enum Step {
+pub(crate) enum Step {
     /// An operation on so many operands, once for each component.
     Compute { op: Op, operands: [Slots; 3], count: usize, to: usize, width: usize },
     /// A vector of three numbers.
@@ -37,7 +37,7 @@ pub(super) enum Step {
 
 /// A function laid out. A call fills the slots of its function, so that each function has them once.
 #[derive(Debug, Default)]
-pub(super) struct Frame {
+pub(crate) struct Frame {
     /// The slots of the parameters, one after the other; the number of components of each.
     pub parameters: Vec<(Slots, usize)>,
     pub nodes: Vec<Slots>,
@@ -50,9 +50,9 @@ pub(super) struct Frame {
 }
 
 /// A program laid out: its functions, callees first, and its body last.
-pub(super) struct Layout<'a> {
+pub(crate) struct Layout<'a> {
     pub definitions: Vec<&'a Definition>,
-    tables: &'a [Table],
+    pub tables: &'a [Table],
     pub frames: Vec<Frame>,
     pub slot_count: usize,
     /// Constants and where they are; they stay through all evaluations.
@@ -193,6 +193,6 @@ impl<'a> Layout<'a> {
 }
 
 /// How many numbers a value of this type takes.
-pub(super) fn width(ty: Type) -> usize {
+pub(crate) fn width(ty: Type) -> usize {
     if matches!(ty, Type::Vec3 | Type::Mask3) { 3 } else { 1 }
 }
