@@ -4,6 +4,7 @@ use crate::scene::SceneError;
 use crate::shading::ShadingError;
 use crate::variant::VariantError;
 use std::fmt;
+use std::path::Path;
 
 /// Why a scene could not be emitted: where it is, what is wrong, and what would be right.
 ///
@@ -13,6 +14,11 @@ pub struct BuildError {
 }
 
 impl BuildError {
+    /// The same error of a scene in a file.
+    pub(super) fn in_file(self, path: &Path) -> Self {
+        Self { text: format!("{}: {}", path.display(), self.text) }
+    }
+
     pub(super) fn new(message: impl fmt::Display, help: impl fmt::Display) -> Self {
         Self { text: format!("{message}\n  help: {help}") }
     }

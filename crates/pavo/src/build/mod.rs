@@ -129,8 +129,10 @@ impl Build {
             let help = "names of letters, digits and underscores with `::` between them, such as `pavo::thin_film`";
             return Err(BuildError::new(format!("`{}` is no import path", path.escape_debug()), help));
         }
-        let variant: Variant = self.variant.as_deref().unwrap_or(&scene.emit.variant).parse()?;
-        let shading = Shading::new(&scene, &variant)?;
+        let shading = self.shading(&scene).map_err(|error| match &self.source {
+            Source::File(path) => error.in_file(path),
+            Source::Scene(_) => error,
+        })?;
         let warnings = shading.warnings();
         warnings.iter().for_each(|warning| tell_cargo("warning", warning));
         let mut texts = Vec::new();
@@ -145,6 +147,11 @@ impl Build {
         let module = folder.join(format!("{}.rs", scene.name));
         write(&module, &module::module(&shading, &self.targets))?;
         Ok(Built { module, texts, warnings })
+    }
+
+    fn shading(&self, scene: &Scene) -> Result<Shading, BuildError> {
+        let variant: Variant = self.variant.as_deref().unwrap_or(&scene.emit.variant).parse()?;
+        Ok(Shading::new(scene, &variant)?)
     }
 
     fn folder(&self) -> Result<PathBuf, BuildError> {
