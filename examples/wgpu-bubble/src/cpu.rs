@@ -23,6 +23,6 @@ pub fn bubble(position: Vec2, surface: &SurfaceUniforms) -> Vec3 {
         surface.light_intensity,
     );
     let mirrored_y = 2.0 * normal.z * normal.y;
-    let sky = 0.6 + 0.5 * mirrored_y;
+    let sky = 1.6 + 1.2 * mirrored_y;
     lit + surface_reflectance(normal.z, thickness_nm) * sky
 }

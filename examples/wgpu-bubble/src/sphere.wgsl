@@ -31,7 +31,7 @@ fn bubble(position: vec2f) -> vec3f {
     );
     // A bright sky above, a dim floor below.
     let mirrored_y = 2.0 * normal.z * normal.y;
-    let sky = 0.6 + 0.5 * mirrored_y;
+    let sky = 1.6 + 1.2 * mirrored_y;
     return lit + surface_reflectance(normal.z, thickness_nm) * sky;
 }
 
