@@ -5,9 +5,10 @@ use encase::{ShaderType, UniformBuffer};
 use glam::Vec3;
 use naga::front::spv;
 use naga::{Module, TypeInner};
-use pavo::scene::Scene;
-use pavo::{Language, Shading, ShadingQuantity, Variant, library};
+use pavo::scene::{Base, Scene};
+use pavo::{Build, Language, Shading, ShadingQuantity, Variant, library};
 use pavo_check::glsl_to_spirv;
+use pavo_tests::{SCENES, scene_file};
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
@@ -167,6 +168,48 @@ fn a_build_script_makes_texts_uniforms_and_functions_for_the_cpu() {
     for (found, expected) in printed("plated reflectance").into_iter().zip(expected) {
         assert!((found - expected).abs() < 5e-6, "{found} and {expected}");
     }
+}
+
+/// With the judges built in, as they are here, each text passes them or is not written.
+#[test]
+fn every_starter_scene_is_written_with_its_uniforms_in_each_language() {
+    let folder = tempfile::tempdir().expect("a temporary folder can be made");
+    for name in SCENES {
+        let build = Language::ALL.into_iter().fold(Build::scene(scene_file(name)), Build::target);
+        let built = build.out_dir(folder.path()).emit().unwrap_or_else(|error| panic!("{name}: {error}"));
+        assert_eq!(built.texts.len(), Language::ALL.len() - 1, "{name}");
+        for path in built.texts.iter().chain([&built.module]) {
+            let text = std::fs::read_to_string(path).unwrap_or_else(|error| panic!("{path:?}: {error}"));
+            assert!(text.contains("struct SurfaceUniforms {"), "{path:?}");
+        }
+    }
+}
+
+#[test]
+fn a_scene_made_in_rust_is_that_of_a_file() {
+    let made = Scene::builder("bubble", Base::dielectric(1.0)).film(1.33, 0.0..=1200.0).roughness(0.2).build();
+    let text = "name = \"bubble\"\n[film]\nior = 1.33\nthickness_nm = [0, 1200]\n[base]\nior = 1.0\n[surface]\nroughness = 0.2\n";
+    let read = Scene::from_toml("bubble.toml", text, Path::new(""));
+    assert_eq!(made.unwrap_or_else(|error| panic!("{error:?}")), read.unwrap_or_else(|error| panic!("{error:?}")));
+}
+
+#[test]
+fn a_build_that_cannot_be_says_what_would_be_right() {
+    let scene = || Scene::builder("bubble", Base::dielectric(1.0)).film(1.33, 0.0..=1200.0);
+    let build = |scene: Scene| Build::of(scene).out_dir("no-such-folder");
+    let good = || build(scene().build().unwrap_or_else(|error| panic!("{error:?}")));
+    let wgsl = Language::Wgsl;
+    for (build, expected) in [
+        (good(), "the build has no target: nothing would be emitted\n  help: name at least one"),
+        (good().target(wgsl).import_path("a b"), "`a b` is no import path\n  help: names of letters"),
+        (good().target(wgsl).variant("pole"), "help: "),
+        (good().target(wgsl), "cannot be written: No such file or directory (os error 2)\n  help: name a folder"),
+    ] {
+        let error = build.emit().expect_err(expected);
+        assert!(format!("{error:?}").contains(expected), "{error:?}");
+    }
+    let error = scene().roughness(2.0).build().expect_err("no roughness is 2");
+    assert!(format!("{error:?}").contains("`surface.roughness` is 2"), "{error:?}");
 }
 
 #[test]

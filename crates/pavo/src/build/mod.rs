@@ -36,9 +36,9 @@ use std::path::{Path, PathBuf};
 /// uniform over a material, with the layout of the struct of this name in the text; and, with the target
 /// [`Language::Rust`], the functions for the CPU over the vectors of glam.
 ///
-/// Cargo is told to run the script again when the scene or a file that it names changes. Without the feature `cli` no
-/// judge is built in: the texts are those that `pavo emit` has judged for the same scene. With it each text passes its
-/// judges here.
+/// Cargo is told to run the script again when the scene or a file that it names changes. With the feature `cli` each text
+/// passes its judges here. Without it no judge is built in and the texts are written as they are; `pavo emit` judges the
+/// same functions.
 #[derive(Clone, Debug)]
 pub struct Build {
     source: Source,
