@@ -150,7 +150,12 @@ impl Build {
     }
 
     fn shading(&self, scene: &Scene) -> Result<Shading, BuildError> {
-        let variant: Variant = self.variant.as_deref().unwrap_or(&scene.emit.variant).parse()?;
+        let variant = self.variant.as_deref().unwrap_or(&scene.emit.variant);
+        if variant == "auto" {
+            let help = "name the one that `pavo tune` picks for the scene, such as `variant = \"windowed:k=6\"`";
+            return Err(BuildError::new("the variant `auto` is picked by measuring, which no build script does", help));
+        }
+        let variant: Variant = variant.parse()?;
         Ok(Shading::new(scene, &variant)?)
     }
 
