@@ -203,7 +203,10 @@ fn a_build_that_cannot_be_says_what_would_be_right() {
         (good(), "the build has no target: nothing would be emitted\n  help: name at least one"),
         (good().target(wgsl).import_path("a b"), "`a b` is no import path\n  help: names of letters"),
         (good().target(wgsl).variant("pole"), "help: "),
-        (good().target(wgsl).variant("auto"), "which no build script does\n  help: name the one that `pavo tune` picks"),
+        (
+            good().target(wgsl).variant("auto"),
+            "which no build script does\n  help: name the one that `pavo tune` picks",
+        ),
         (good().target(wgsl), "cannot be written: No such file or directory (os error 2)\n  help: name a folder"),
     ] {
         let error = build.emit().expect_err(expected);
