@@ -1,47 +1,13 @@
-//! A user's own BRDF, written in the DSL: Lambert's diffuse reflection and Phong's highlight. It is evaluated on the CPU,
-//! emitted in every language, judged, and run on lavapipe.
+//! A user's own BRDF, written in the DSL: that of the example `own-brdf`. It is evaluated on the CPU, emitted in every
+//! language, judged, and run on lavapipe.
 
+#[path = "../../examples/own-brdf/src/brdf.rs"]
+mod brdf;
+
+use brdf::{lambert_phong, program};
 use glam::{DVec3, Vec3};
 use pavo_check::{ComputeShader, Device, judge_text, wgsl_to_spirv};
 use pavo_emit::{Form, Language, Options, WORKGROUP_SIZE, emit_compute, emit_library};
-use pavo_shade::{Graph, Input, Program, Rate, Real, Scalar, Vector, shade};
-
-/// Lambert's diffuse reflection under Phong's highlight, by colour channel.
-///
-/// Source: Phong 1975, with the highlight left unnormalised as in the paper.
-#[shade]
-fn lambert_phong<S: Scalar>(
-    /// Cosine of the angle between normal and light, [0, 1].
-    n_dot_l: S,
-    /// Cosine of the angle between mirror direction and view, [-1, 1].
-    r_dot_v: S,
-    /// Diffuse colour, linear, [0, 1].
-    diffuse_color: S::Vec3,
-) -> S::Vec3 {
-    let highlight = specular_highlight(r_dot_v, 0.04);
-    let diffuse = diffuse_color * (1.0 / core::f64::consts::PI);
-    (diffuse + S::Vec3::splat(highlight)) * n_dot_l
-}
-
-/// Phong's highlight with exponent 16.
-#[shade]
-fn specular_highlight<R: Real>(
-    /// Cosine of the angle between mirror direction and view, [-1, 1].
-    r_dot_v: R,
-    /// Strength of the highlight, [0, 1].
-    strength: R,
-) -> R {
-    strength * r_dot_v.max(0.0).powi(16)
-}
-
-fn program() -> Program {
-    let graph = Graph::new();
-    let n_dot_l = graph.input(Input::scalar("n_dot_l", "", 0.0, 1.0, Rate::Pixel));
-    let r_dot_v = graph.input(Input::scalar("r_dot_v", "", -1.0, 1.0, Rate::Pixel));
-    let diffuse_color = graph.input(Input::colour("diffuse_color", Rate::Material));
-    graph.output("radiance", lambert_phong(n_dot_l, r_dot_v, diffuse_color));
-    graph.program()
-}
 
 fn options(language: Language) -> Options {
     let header = vec!["Lambert and Phong.".to_owned()];

@@ -135,6 +135,20 @@ pub fn emit_library(program: &Program, options: &Options) -> String {
     text::library(program, options)
 }
 
+/// The struct of the inputs of a program that are uniform over a material, for a uniform buffer; nothing where there are
+/// none.
+///
+/// In Rust it has the same layout, a constructor `new`, and `to_bytes`.
+pub fn emit_uniforms(program: &Program, options: &Options) -> Option<String> {
+    uniform::uniforms(program, options)
+}
+
+/// A method `to_bytes` of the Rust struct that holds what a program prepares for a material; nothing where it prepares
+/// nothing.
+pub fn emit_prepared_bytes(program: &Program, options: &Options) -> Option<String> {
+    uniform::prepared_bytes(program, options)
+}
+
 /// The functions of a program with a compute entry that evaluates a buffer of points.
 ///
 /// Binding 0 holds the inputs, binding 1 takes three numbers a point for each output.

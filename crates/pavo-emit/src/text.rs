@@ -65,7 +65,7 @@ impl Names {
                 .map(|result| (fields.fresh(&result.name), result.ty, result.doc.clone()))
                 .collect();
             let wanted = match &function.result_type {
-                Some(name) => format!("{}{name}", camel_case(prefix)),
+                Some(name) => struct_name(prefix, name),
                 None => format!("{}Result", camel_case(name)),
             };
             let same = known.iter().find(|other| other.fields == fields && other.name.starts_with(&wanted)).cloned();
@@ -184,7 +184,8 @@ fn rows(dialect: &Dialect, table: &Table, name: &str) -> String {
     text
 }
 
-fn structure(dialect: &Dialect, made: &Struct) -> String {
+/// A struct as it is declared.
+pub fn structure(dialect: &Dialect, made: &Struct) -> String {
     if dialect.syntax == Syntax::Rust {
         return rust::structure(dialect, made);
     }
@@ -270,6 +271,11 @@ pub fn header(options: &Options) -> String {
 /// Each line four columns further in, with a line end.
 pub fn indent(text: &str) -> String {
     text.lines().map(|line| if line.is_empty() { "\n".to_owned() } else { format!("    {line}\n") }).collect()
+}
+
+/// The name of a struct behind the prefix of all names.
+pub fn struct_name(prefix: &str, name: &str) -> String {
+    camel_case(prefix) + name
 }
 
 fn camel_case(name: &str) -> String {

@@ -22,6 +22,7 @@ pub mod illuminant;
 pub mod names;
 pub mod observer;
 pub mod optical_constants;
+pub mod parallel;
 pub mod reference;
 pub mod sensitivity;
 pub mod table;

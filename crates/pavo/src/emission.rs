@@ -4,7 +4,7 @@ use crate::inputs::ShadingQuantity;
 use crate::scene::Scene;
 use crate::shading::Shading;
 use pavo_emit::{EmitError, Form, Language, Options, Sphere, SphereInput};
-use pavo_shade::Input;
+use pavo_shade::{Input, Program};
 
 /// How a text is made.
 #[derive(Clone, Copy, Debug)]
@@ -28,14 +28,32 @@ impl From<Language> for Emission<'_> {
 /// `prepare_surface`, whose result the others take, and what depends on the vertices by `vertex_surface`, whose result is
 /// to be interpolated.
 pub fn library<'a>(shading: &Shading, emission: impl Into<Emission<'a>>) -> String {
+    let program = library_program(shading);
+    pavo_emit::emit_library(&program, &options(shading, emission.into(), Form::Library, program.inputs()))
+}
+
+/// The struct of what is uniform over a material, as [`library`] takes it: for a uniform buffer, in Rust with the same
+/// layout. Nothing where all that the scene leaves open is given at vertices or pixels.
+pub fn uniforms<'a>(shading: &Shading, emission: impl Into<Emission<'a>>) -> Option<String> {
+    let program = library_program(shading);
+    pavo_emit::emit_uniforms(&program, &options(shading, emission.into(), Form::Library, program.inputs()))
+}
+
+/// A method of the Rust struct `PreparedSurface` that gives its bytes in a uniform buffer, where [`library`] has it.
+pub fn prepared_bytes(shading: &Shading) -> Option<String> {
+    let program = library_program(shading);
+    let options = options(shading, Language::Rust.into(), Form::Library, program.inputs());
+    pavo_emit::emit_prepared_bytes(&program, &options)
+}
+
+fn library_program(shading: &Shading) -> Program {
     let quantity = library_quantity(shading.scene());
     let scene = shading.scene();
-    let program = match (scene.emit.vertex, scene.is_prepared()) {
+    match (scene.emit.vertex, scene.is_prepared()) {
         (true, _) => shading.stages(quantity).joined,
         (false, true) => shading.split(quantity).joined,
         (false, false) => shading.program(quantity),
-    };
-    pavo_emit::emit_library(&program, &options(shading, emission.into(), Form::Library, program.inputs()))
+    }
 }
 
 /// The functions of a quantity with a compute entry that evaluates a buffer of points.

@@ -29,6 +29,7 @@
 //! Without the default feature `cli` the library emits text and needs neither the judges nor a driver.
 
 mod baking;
+mod build;
 mod emission;
 mod fitting;
 mod fixed_film;
@@ -53,10 +54,15 @@ pub mod roads;
 #[cfg(feature = "cli")]
 pub mod tuning;
 
-pub use emission::{Emission, compute, cost, cost_baseline, fragment, library, library_quantity};
+pub use build::{Build, BuildError, Built};
+pub use emission::{
+    Emission, compute, cost, cost_baseline, fragment, library, library_quantity, prepared_bytes, uniforms,
+};
 pub use fitting::{FitCache, NoCache};
 pub use inputs::ShadingQuantity;
 pub use media::MediaError;
+pub use pavo_emit::Language;
+pub use pavo_shade::Rate;
 pub use shading::{Shading, ShadingError};
 pub use target::Target;
 pub use variant::{Fit, FittedForm, Variant, VariantError};

@@ -2,24 +2,23 @@
 
 use crate::reading::{MAXIMUM_TABLE_BYTES, read_text_up_to};
 use crate::scene::{Base, Colour, FilmMedium, IlluminantSource, Scene};
-use miette::Diagnostic;
 use pavo_spectra::illuminant::Illuminant;
 use pavo_spectra::wavelength::fine_grid;
 use pavo_spectra::{ColourSpace, Observer, OpticalConstants, Sensitivities};
 use std::path::Path;
 use thiserror::Error;
 
+/// What would be right where a file cannot be read.
+const FILE_HELP: &str = "csv names a file beside the scene, with the columns wavelength_nm (or wavelength_um), n and k; \
+                         that of an illuminant has value in place of n and k";
+
 /// Why the data of a scene cannot be had.
-#[derive(Debug, Error, Diagnostic)]
+#[derive(Debug, Error)]
+#[cfg_attr(feature = "cli", derive(miette::Diagnostic))]
 pub enum MediaError {
     /// A file that cannot be read.
     #[error("{path}: {cause}")]
-    #[diagnostic(
-        code(pavo::media),
-        help(
-            "csv names a file beside the scene, with the columns wavelength_nm (or wavelength_um), n and k; that of an illuminant has value in place of n and k"
-        )
-    )]
+    #[cfg_attr(feature = "cli", diagnostic(code(pavo::media), help("{}", FILE_HELP)))]
     File {
         /// The file.
         path: String,
@@ -28,11 +27,21 @@ pub enum MediaError {
     },
     /// What the data themselves refuse.
     #[error("{message}")]
-    #[diagnostic(code(pavo::media))]
+    #[cfg_attr(feature = "cli", diagnostic(code(pavo::media)))]
     Data {
         /// What is wrong, and what would be right.
         message: String,
     },
+}
+
+impl MediaError {
+    /// What would be right, where the message does not say.
+    pub fn help_text(&self) -> Option<&str> {
+        match self {
+            Self::File { .. } => Some(FILE_HELP),
+            Self::Data { .. } => None,
+        }
+    }
 }
 
 fn data(error: impl std::fmt::Display) -> MediaError {

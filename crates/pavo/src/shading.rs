@@ -7,26 +7,26 @@ use crate::media::{self, MediaError};
 use crate::methods::{FIRST_WAVELENGTH_NM, LAST_WAVELENGTH_NM, MethodError, MethodRequest};
 use crate::scene::{self, Base, ColourQuantity, FilmMedium, Quantity, Scene, VisibilityK};
 use crate::variant::{FresnelForm, Variant};
-use miette::Diagnostic;
 use pavo_optics::surface::{brdf_of_reflectance, shade_surface, surface_brdf, surface_radiance, surface_reflectance};
 use pavo_optics::{
     BaseKind, Directions, Film, Finish, Geometry, Layers, Light, Method, Specular, Surface, light::punctual_light,
 };
 use pavo_shade::{Graph, Input, LeftOut, Program, Rate, Scalar, Split, Stages, Vector, specialise, split, stages};
+use pavo_spectra::parallel::map_each;
 use pavo_spectra::{OpticalConstants, Point, Reference, Sensitivities, Stack};
-use rayon::prelude::*;
 use thiserror::Error;
 
 /// Why a scene and a variant do not go together.
-#[derive(Debug, Error, Diagnostic)]
+#[derive(Debug, Error)]
+#[cfg_attr(feature = "cli", derive(miette::Diagnostic))]
 pub enum ShadingError {
     /// The data behind the scene's names cannot be had.
     #[error(transparent)]
-    #[diagnostic(transparent)]
+    #[cfg_attr(feature = "cli", diagnostic(transparent))]
     Media(#[from] MediaError),
     /// The variant cannot be made for this scene.
     #[error("the variant {variant} cannot be made for the scene {scene}: {cause}")]
-    #[diagnostic(code(pavo::variant), help("{help}"))]
+    #[cfg_attr(feature = "cli", diagnostic(code(pavo::variant), help("{help}")))]
     Variant {
         /// The variant.
         variant: String,
@@ -40,6 +40,14 @@ pub enum ShadingError {
 }
 
 impl ShadingError {
+    /// What would be right, where the message does not say.
+    pub fn help_text(&self) -> Option<&str> {
+        match self {
+            Self::Media(error) => error.help_text(),
+            Self::Variant { help, .. } => Some(help),
+        }
+    }
+
     /// A variant that cannot be made for a scene.
     pub(crate) fn variant(scene: &Scene, variant: &Variant, cause: String, help: String) -> Self {
         Self::Variant { variant: variant.to_string(), scene: scene.name.clone(), cause, help }
@@ -167,13 +175,13 @@ impl Shading {
 
     /// The colours at many points in `f64`, on all cores.
     pub fn evaluate_each(&self, quantity: ShadingQuantity, points: &[Vec<f64>]) -> Vec<[f64; 3]> {
-        points.par_iter().map(|point| self.evaluate(quantity, point)).collect()
+        map_each(points, |point| self.evaluate(quantity, point))
     }
 
     /// The colours at many points in `f32`, on all cores.
     pub fn evaluate_each_f32(&self, quantity: ShadingQuantity, points: &[Vec<f32>]) -> Vec<[f32; 3]> {
         let evaluate = |point: &Vec<f32>| self.run::<f32>(quantity, &mut PointReader { numbers: point.iter() });
-        points.par_iter().map(|point| evaluate(point).to_array()).collect()
+        map_each(points, |point| evaluate(point).to_array())
     }
 
     /// The program that computes a quantity, for points within the ranges of its inputs: nothing guards others.
@@ -253,7 +261,7 @@ impl Shading {
                 (None, _) => reference.reflectance(&self.stack(layers)?, at),
             })
         };
-        let reflectances = points.par_iter().map(reflectance).collect::<Result<Vec<_>, _>>()?;
+        let reflectances = map_each(points, reflectance).into_iter().collect::<Result<Vec<_>, _>>()?;
         Ok(self.of_reflectance_each(quantity, points, &reflectances))
     }
 
@@ -264,14 +272,14 @@ impl Shading {
         points: &[Vec<f64>],
         reflectances: &[[f64; 3]],
     ) -> Vec<[f64; 3]> {
-        let color = |(point, reflectance): (&Vec<f64>, &[f64; 3])| {
+        let pairs: Vec<(&Vec<f64>, [f64; 3])> = points.iter().zip(reflectances.iter().copied()).collect();
+        map_each(&pairs, |&(point, reflectance)| {
             let mut reader = PointReader { numbers: point.iter() };
             let geometry = geometry(quantity, &mut reader);
             self.layers(&mut reader);
             let finish = self.finish_of(quantity, &mut reader);
-            self.of_reflectance(quantity, (*reflectance).into(), geometry, finish, &mut reader).to_array()
-        };
-        points.par_iter().zip(reflectances).map(color).collect()
+            self.of_reflectance(quantity, reflectance.into(), geometry, finish, &mut reader).to_array()
+        })
     }
 
     /// The media at a point.

@@ -1,9 +1,8 @@
 //! Differences between two evaluations of the same points.
 
-use serde::Serialize;
-
 /// How far two lists of colours are apart.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Difference {
     /// How many points were compared.
     pub points: usize,
@@ -20,7 +19,8 @@ pub struct Difference {
 }
 
 /// A point where two evaluations differ most.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Worst {
     /// Its index in the list.
     pub index: usize,

@@ -21,6 +21,11 @@ pub enum Task {
         /// Whether to install first what is missing from the system.
         set_up: bool,
     },
+    /// Build and run the examples.
+    Examples {
+        /// The one to run, else all that do not take minutes to compile.
+        name: Option<OsString>,
+    },
     /// Make the committed fits of the sensitivities again.
     Fits,
     /// Fuzz what reads users' text, guided by coverage.
@@ -50,6 +55,8 @@ Tasks:
   demo [SCENE]       Set up, build the command, and run it on a scene: a file, or a name in templates/scenes
                      (soap-bubble where none is given)
   test [--no-setup]  Set up, then check formatting, lints, the build without features, documentation and tests
+  examples [NAME]    Set up, then build and run the examples, or one of them: a C++ program, a picture with wgpu, ...
+                     (bevy-film only where it is named: it takes minutes to compile)
   fits               Make the committed fits in crates/pavo-spectra/data/fits again (minutes)
   fuzz [--seconds N] Build the readers of users' text with counters, and fuzz each for N seconds (60)
   peers [--no-install] [--json]
@@ -60,7 +67,7 @@ Tasks:
 
 Exit codes: 0 fine, 1 a check failed, 2 bad input, 3 something needed is missing";
 
-const TASKS: &str = "the tasks are setup, demo, test, fits, fuzz, peers, savings and help";
+const TASKS: &str = "the tasks are setup, demo, test, examples, fits, fuzz, peers, savings and help";
 
 /// Reads the words, the first of which names the task.
 ///
@@ -78,6 +85,7 @@ pub fn parse(words: impl IntoIterator<Item = OsString>) -> Result<Task, Failure>
             Some("setup") => Task::Setup,
             Some("demo") => Task::Demo { scene: None },
             Some("test") => Task::Test { set_up: true },
+            Some("examples") => Task::Examples { name: None },
             Some("fits") => Task::Fits,
             Some("fuzz") => Task::Fuzz { seconds: 60 },
             Some("peers") => Task::Peers { install: true, json: false },
@@ -94,6 +102,8 @@ pub fn parse(words: impl IntoIterator<Item = OsString>) -> Result<Task, Failure>
             (_, Arg::Short('h') | Arg::Long("help")) => return Ok(Task::Help),
             (Task::Demo { scene: scene @ None }, Arg::Value(value)) => *scene = Some(value),
             (Task::Demo { .. }, other) => return Err(not_taken(&other, "demo", "it takes one scene")),
+            (Task::Examples { name: name @ None }, Arg::Value(value)) => *name = Some(value),
+            (Task::Examples { .. }, other) => return Err(not_taken(&other, "examples", "it takes one example")),
             (Task::Test { set_up }, Arg::Long("no-setup")) => *set_up = false,
             (Task::Test { .. }, other) => return Err(not_taken(&other, "test", "it takes --no-setup only")),
             (Task::Fuzz { seconds }, Arg::Long("seconds")) => *seconds = read_seconds(&mut parser)?,
@@ -152,6 +162,8 @@ mod tests {
             ("demo -- -odd-name.toml", Task::Demo { scene: Some("-odd-name.toml".into()) }),
             ("test", Task::Test { set_up: true }),
             ("test --no-setup", Task::Test { set_up: false }),
+            ("examples", Task::Examples { name: None }),
+            ("examples wgpu-bubble", Task::Examples { name: Some("wgpu-bubble".into()) }),
             ("fits", Task::Fits),
             ("peers", Task::Peers { install: true, json: false }),
             ("peers --json --no-install", Task::Peers { install: false, json: true }),
@@ -170,11 +182,11 @@ mod tests {
     #[test]
     fn other_words_are_refused_with_what_is_taken() {
         for (words, expected) in [
-            ("", "name a task: the tasks are setup, demo, test, fits, fuzz, peers, savings and help"),
-            ("tset", "`tset` is no task; the tasks are setup, demo, test, fits, fuzz, peers, savings and help"),
+            ("", "name a task: the tasks are setup, demo, test, examples, fits, fuzz, peers, savings and help"),
+            ("tset", "`tset` is no task; the tasks are setup, demo, test, examples, fits, fuzz, peers, savings and help"),
             (
                 "--no-setup",
-                "cargo xtask does not take `--no-setup`; the tasks are setup, demo, test, fits, fuzz, peers, savings and help",
+                "cargo xtask does not take `--no-setup`; the tasks are setup, demo, test, examples, fits, fuzz, peers, savings and help",
             ),
             ("demo a b", "demo does not take `b`; it takes one scene"),
             ("demo --no-setup", "demo does not take `--no-setup`; it takes one scene"),
@@ -183,6 +195,7 @@ mod tests {
             ("fuzz scene", "fuzz does not take `scene`; it takes --seconds N only"),
             ("fuzz --seconds 0", "--seconds is `0`; it is a whole number from 1 to 86400"),
             ("fuzz --seconds -1", "--seconds is `-1`; it is a whole number from 1 to 86400"),
+            ("examples a b", "examples does not take `b`; it takes one example"),
             ("test -x", "test does not take `-x`; it takes --no-setup only"),
             ("setup now", "setup does not take `now`; it takes nothing"),
             ("help me", "help does not take `me`; it takes nothing"),

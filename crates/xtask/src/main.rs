@@ -4,6 +4,7 @@ mod arguments;
 mod command_line;
 mod console;
 mod demo;
+mod examples;
 mod failure;
 mod fuzz;
 mod measuring;
@@ -43,6 +44,11 @@ fn run() -> Result<(), Failure> {
             let scene = demo::find_scene(&workspace, scene.as_deref())?;
             setup::set_up(&workspace)?;
             demo::run(&workspace, &scene)
+        }
+        Task::Examples { name } => {
+            examples::check_name(name.as_deref())?;
+            setup::set_up_examples(&workspace)?;
+            examples::run(&workspace, name.as_deref())
         }
         Task::Fits => suite::make_fits(&workspace),
         Task::Fuzz { seconds } => fuzz::run(&workspace, seconds),

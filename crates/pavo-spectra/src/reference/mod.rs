@@ -7,10 +7,10 @@ mod stack;
 pub use stack::{Point, Stack, StackError};
 
 use num_complex::Complex64;
-use rayon::prelude::*;
 
 use self::airy::FilmAtAngle;
 use self::stack::Medium;
+use crate::parallel::map_each;
 use crate::sensitivity::Sensitivities;
 use crate::wavelength::fine_grid;
 
@@ -54,7 +54,7 @@ impl Reference {
 
     /// The reflectance per output channel for many points, each with a stack of its own, in parallel.
     pub fn reflectance_of_each(&self, samples: &[(Stack, Point)]) -> Vec<[f64; 3]> {
-        samples.par_iter().map(|(stack, point)| self.reflectance(stack, *point)).collect()
+        map_each(samples, |(stack, point)| self.reflectance(stack, *point))
     }
 
     /// The reflectance where each output channel has a base index of its own, real and the same at every wavelength: what
@@ -104,6 +104,6 @@ impl PreparedStack<'_> {
 
     /// The reflectance per output channel at many points, in parallel.
     pub fn reflectance_of_each(&self, points: &[Point]) -> Vec<[f64; 3]> {
-        points.par_iter().map(|&point| self.reflectance(point)).collect()
+        map_each(points, |&point| self.reflectance(point))
     }
 }

@@ -3,26 +3,31 @@
 use std::fmt;
 use std::ops::Range;
 
-use miette::{Diagnostic, LabeledSpan, NamedSource, SourceCode};
-
 /// Why a scene was refused: what is wrong, where in the file, and what would be right.
 ///
-/// Through [`miette::Diagnostic`] it carries the text of the scene, a label at the offending value and the help.
-/// (A line too long to be drawn is not; the sentence then names line and column.) `Display` is the sentence alone; `Debug`, which a build script's `main` prints, is
-/// `file:line:column: sentence` with the help on a second line.
+/// `Display` is the sentence alone. `Debug`, which a build script's `main` prints, is `file:line:column: sentence`, then
+/// the line of the scene with a mark below what is wrong, then the help. With the feature `cli` it is a diagnostic of
+/// miette. (A line too long to be drawn is not; the sentence then names line and column.)
 #[derive(Clone)]
 pub struct SceneError {
-    detail: Box<Detail>,
+    pub(super) detail: Box<Detail>,
 }
 
 #[derive(Clone)]
-struct Detail {
-    message: String,
-    help: String,
-    key: Option<String>,
-    labels: Vec<(Range<usize>, String)>,
-    source: Option<NamedSource<String>>,
-    drawable: bool,
+pub(super) struct Detail {
+    pub message: String,
+    pub help: String,
+    pub key: Option<String>,
+    pub labels: Vec<(Range<usize>, String)>,
+    pub source: Option<Source>,
+    pub drawable: bool,
+}
+
+/// The text of a scene, and what it is called.
+#[derive(Clone, Debug)]
+pub(super) struct Source {
+    pub name: String,
+    pub text: String,
 }
 
 impl SceneError {
@@ -36,7 +41,7 @@ impl SceneError {
     /// The same error in the text `text` of the file `file_name`, the first label being where it is.
     pub(super) fn in_source(mut self, file_name: &str, text: &str, labels: Vec<(Range<usize>, String)>) -> Self {
         self.detail.labels = labels.into_iter().map(|(span, label)| (visible(span, text), label)).collect();
-        self.detail.source = Some(NamedSource::new(file_name, text.to_owned()).with_language("toml"));
+        self.detail.source = Some(Source { name: file_name.to_owned(), text: text.to_owned() });
         self.detail.drawable = self.detail.labels.iter().all(|(span, _)| is_drawable(span, text));
         if let (false, Some((_, line, column))) = (self.detail.drawable, self.location()) {
             self.detail.message.push_str(&format!(" (line {line}, column {column})"));
@@ -62,10 +67,24 @@ impl SceneError {
     /// The file name, and the line and column of [`SceneError::span`], both from 1, the column in characters.
     pub fn location(&self) -> Option<(&str, usize, usize)> {
         let source = self.detail.source.as_ref()?;
-        let before = source.inner().get(..self.span()?.start)?;
+        let before = source.text.get(..self.span()?.start)?;
         let line_start = before.rfind('\n').map_or(0, |at| at + 1);
         let line = before.matches('\n').count() + 1;
-        Some((source.name(), line, before[line_start..].chars().count() + 1))
+        Some((&source.name, line, before[line_start..].chars().count() + 1))
+    }
+
+    /// The line of the scene at fault, with a mark below what is wrong.
+    fn drawn(&self) -> Option<String> {
+        let (_, number, column) = self.location().filter(|_| self.detail.drawable)?;
+        let line = self.detail.source.as_ref()?.text.lines().nth(number - 1)?;
+        let (span, label) = self.detail.labels.first()?;
+        let before: String = line.chars().take(column - 1).map(|c| if c == '\t' { '\t' } else { ' ' }).collect();
+        let at = line.char_indices().nth(column - 1).map_or(line.len(), |(at, _)| at);
+        let end = (at + span.len()).min(line.len());
+        let marks = "^".repeat(line.get(at..end).unwrap_or_default().chars().count().max(1));
+        let number = number.to_string();
+        let margin = " ".repeat(number.len());
+        Some(format!("  {margin} |\n  {number} | {line}\n  {margin} | {before}{marks} {label}\n"))
     }
 }
 
@@ -102,37 +121,12 @@ impl fmt::Debug for SceneError {
         if let Some((file, line, column)) = self.location() {
             write!(formatter, "{file}:{line}:{column}: ")?;
         }
-        write!(formatter, "{}\n  help: {}", self.detail.message, self.detail.help)
+        writeln!(formatter, "{}", self.detail.message)?;
+        if let Some(drawn) = self.drawn() {
+            formatter.write_str(&drawn)?;
+        }
+        write!(formatter, "  help: {}", self.detail.help)
     }
 }
 
 impl std::error::Error for SceneError {}
-
-impl Diagnostic for SceneError {
-    fn code<'a>(&'a self) -> Option<Box<dyn fmt::Display + 'a>> {
-        Some(Box::new("pavo::scene"))
-    }
-
-    fn help<'a>(&'a self) -> Option<Box<dyn fmt::Display + 'a>> {
-        Some(Box::new(&self.detail.help))
-    }
-
-    fn source_code(&self) -> Option<&dyn SourceCode> {
-        self.detail.source.as_ref().filter(|_| self.detail.drawable).map(|source| source as &dyn SourceCode)
-    }
-
-    fn labels(&self) -> Option<Box<dyn Iterator<Item = LabeledSpan> + '_>> {
-        if !self.detail.drawable {
-            return None;
-        }
-        let labels = self.detail.labels.iter().enumerate().map(|(index, (span, label))| {
-            let text = Some(label.clone());
-            if index == 0 {
-                LabeledSpan::new_primary_with_span(text, span.clone())
-            } else {
-                LabeledSpan::new_with_span(text, span.clone())
-            }
-        });
-        Some(Box::new(labels))
-    }
-}

@@ -2,7 +2,7 @@
 //!
 //! A scene is a small TOML file. A number in it is fixed and becomes a constant of the emitted code; a pair
 //! `[low, high]` is an input of the emitted code, promised to stay within that range. The same scene can be built in
-//! Rust from the public fields; [`Scene::validate`] holds for both roads.
+//! Rust by [`Scene::builder`] or from the public fields; [`Scene::validate`] holds for all roads.
 //!
 //! ```
 //! use std::path::Path;
@@ -23,12 +23,16 @@
 //! # Ok::<(), pavo::scene::SceneError>(())
 //! ```
 
+mod builder;
+#[cfg(feature = "cli")]
+mod diagnostic;
 mod error;
 mod fault;
 mod load;
 mod model;
 mod places;
 mod read;
+#[cfg(feature = "serde")]
 mod serialise;
 mod shown;
 mod starter;
@@ -40,6 +44,7 @@ mod vocabulary;
 #[cfg(test)]
 mod tests;
 
+pub use builder::SceneBuilder;
 pub use error::SceneError;
 pub use load::MAXIMUM_FILE_BYTES;
 pub use model::{

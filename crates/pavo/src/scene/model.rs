@@ -5,14 +5,14 @@ use std::fmt;
 use std::path::{Path, PathBuf};
 
 use pavo_shade::Rate;
-use serde::Serialize;
 
 use super::vocabulary::{DEFAULT_TARGETS, DEFAULT_VARIANT};
 
 /// A surface, the light model it is shaded under, and what is to be emitted for it.
 ///
 /// Every field is public, so that a scene can be built without a file; [`Scene::validate`] then says whether it holds.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Scene {
     /// What the scene is called: a letter, then letters, digits, `-` and `_`. Emitted files carry this name.
     pub name: String,
@@ -21,7 +21,7 @@ pub struct Scene {
     /// The medium in front of the film.
     pub ambient: Ambient,
     /// The thin film; `None` is a bare surface.
-    #[serde(skip_serializing_if = "Option::is_none")]
+    #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
     pub film: Option<Film>,
     /// What lies under the film.
     pub base: Base,
@@ -30,21 +30,25 @@ pub struct Scene {
     /// The lights the emitted code evaluates.
     pub lights: Lights,
     /// What a variant that is chosen by itself must keep to.
-    #[serde(skip_serializing_if = "Budget::is_empty")]
+    #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Budget::is_empty"))]
     pub budget: Budget,
     /// How often inputs change, by name (one of [`RATED_INPUTS`](super::RATED_INPUTS)), where the scene says so. Else
     /// the thickness of a film is per pixel, and all other inputs of the material and of the light are per material.
-    #[serde(skip_serializing_if = "BTreeMap::is_empty", serialize_with = "super::serialise::rates")]
+    #[cfg_attr(
+        feature = "serde",
+        serde(skip_serializing_if = "BTreeMap::is_empty", serialize_with = "super::serialise::rates")
+    )]
     pub rates: BTreeMap<String, Rate>,
     /// What is emitted, and how.
     pub emit: Emit,
 }
 
 /// What a variant that is chosen by itself must keep to: `variant = "auto"`.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Budget {
     /// The largest dE2000 against the exact reference, above 0; 1 where it is not given.
-    #[serde(skip_serializing_if = "Option::is_none")]
+    #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
     pub max_delta_e: Option<f64>,
 }
 
@@ -200,12 +204,13 @@ impl ColourQuantity {
 }
 
 /// How a spectrum becomes three numbers.
-#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Colour {
     /// The colour-matching functions; one of [`OBSERVERS`](super::OBSERVERS).
     pub observer: String,
     /// The illuminant that weighs them.
-    #[serde(flatten)]
+    #[cfg_attr(feature = "serde", serde(flatten))]
     pub illuminant: IlluminantSource,
     /// The space of the result; one of [`SPACES`](super::SPACES).
     pub space: String,
@@ -242,7 +247,8 @@ impl fmt::Display for IlluminantSource {
 }
 
 /// The medium that light arrives through; it does not absorb.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Ambient {
     /// Refractive index.
     pub ior: Quantity,
@@ -256,10 +262,11 @@ impl Default for Ambient {
 }
 
 /// A thin film that does not absorb.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Film {
     /// What it is made of.
-    #[serde(flatten)]
+    #[cfg_attr(feature = "serde", serde(flatten))]
     pub medium: FilmMedium,
     /// Thickness in nanometres, within [0, [`MAXIMUM_THICKNESS_NM`](super::MAXIMUM_THICKNESS_NM)].
     pub thickness_nm: Quantity,
@@ -318,17 +325,18 @@ pub enum VisibilityK {
 }
 
 /// The microfacet surface and its diffuse part.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Surface {
     /// Perceptual roughness, within [0, 1]; the GGX width is alpha = roughness^2.
     pub roughness: Quantity,
     /// Whether the surface has a Lambert part under the specular one.
     pub diffuse: bool,
     /// The base colour; present exactly when `diffuse` is true or the base is [`Base::Metalness`].
-    #[serde(skip_serializing_if = "Option::is_none")]
+    #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
     pub base_color: Option<ColourQuantity>,
     /// 0 for a dielectric, 1 for a metal; present exactly when the base is [`Base::Metalness`].
-    #[serde(skip_serializing_if = "Option::is_none")]
+    #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
     pub metalness: Option<Quantity>,
     /// The k of the visibility term.
     pub visibility_k: VisibilityK,
@@ -353,7 +361,8 @@ impl Default for Surface {
 }
 
 /// The lights the emitted code evaluates.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Lights {
     /// Whether the reflected radiance under one punctual light is emitted; otherwise only the BRDF is.
     pub punctual: bool,
@@ -367,7 +376,8 @@ impl Default for Lights {
 }
 
 /// What is emitted, and how.
-#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Emit {
     /// The languages, each one of [`TARGETS`](super::TARGETS), at least one and none twice.
     pub targets: Vec<String>,

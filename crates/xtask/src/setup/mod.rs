@@ -16,7 +16,7 @@ use crate::workspace::Workspace;
 use authority::Authority;
 use package_manager::PACKAGE_MANAGERS;
 use plan::{Plan, plan};
-use requirement::{REQUIREMENTS, Requirement};
+use requirement::{OF_EXAMPLES, REQUIREMENTS, Requirement};
 
 /// Looks for what is needed and installs what is missing, having said what it is going to run.
 ///
@@ -25,9 +25,22 @@ use requirement::{REQUIREMENTS, Requirement};
 /// Something is missing, and it cannot be installed: this system has no `apt-get`, or this user may not install, or
 /// the installation fails.
 pub fn set_up(workspace: &Workspace) -> Result<(), Failure> {
-    let missing = missing_requirements();
+    provide(workspace, &REQUIREMENTS.each_ref())
+}
+
+/// The same with what the examples need beside.
+///
+/// # Errors
+///
+/// As [`set_up`].
+pub fn set_up_examples(workspace: &Workspace) -> Result<(), Failure> {
+    provide(workspace, &REQUIREMENTS.iter().chain(&OF_EXAMPLES).collect::<Vec<_>>())
+}
+
+fn provide(workspace: &Workspace, needed: &[&'static Requirement]) -> Result<(), Failure> {
+    let missing = missing_of(needed);
     if missing.is_empty() {
-        say(&format!("Nothing to install: {} are here.", names(&REQUIREMENTS.each_ref())));
+        say(&format!("Nothing to install: {} are here.", names(needed)));
         return Ok(());
     }
     let manager = PACKAGE_MANAGERS.iter().find(|manager| find_program(manager.program).is_some());
@@ -37,7 +50,7 @@ pub fn set_up(workspace: &Workspace) -> Result<(), Failure> {
             say(&format!("Missing: {}.\nGoing to run:", names(&missing)));
             commands.iter().for_each(|command| say(&format!("  {command}")));
             install(workspace, &commands)?;
-            let missing = missing_requirements();
+            let missing = missing_of(needed);
             if missing.is_empty() {
                 return Ok(());
             }
@@ -80,8 +93,8 @@ fn install(workspace: &Workspace, commands: &[CommandLine]) -> Result<(), Failur
     )))
 }
 
-fn missing_requirements() -> Vec<&'static Requirement> {
-    REQUIREMENTS.iter().filter(|requirement| !probe::is_here(requirement.sign)).collect()
+fn missing_of(needed: &[&'static Requirement]) -> Vec<&'static Requirement> {
+    needed.iter().copied().filter(|requirement| !probe::is_here(requirement.sign)).collect()
 }
 
 fn names(requirements: &[&Requirement]) -> String {

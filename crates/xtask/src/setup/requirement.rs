@@ -62,6 +62,14 @@ pub const REQUIREMENTS: [Requirement; 6] = [
     },
 ];
 
+/// What the examples need beside.
+pub const OF_EXAMPLES: [Requirement; 1] = [Requirement {
+    name: "g++",
+    sign: Sign::Program(&["g++"]),
+    packages: Packages { apt: "g++", dnf: "gcc-c++", pacman: "gcc", brew: "gcc" },
+    source: "https://gcc.gnu.org",
+}];
+
 const fn spirv_tool(name: &'static str, programs: &'static [&'static str]) -> Requirement {
     Requirement {
         name,
