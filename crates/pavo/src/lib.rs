@@ -47,6 +47,8 @@ pub mod cli;
 #[cfg(feature = "cli")]
 pub mod roads;
 #[cfg(feature = "cli")]
+pub mod stability;
+#[cfg(feature = "cli")]
 pub mod tuning;
 
 pub use emission::{Emission, compute, cost, cost_baseline, fragment, library, library_quantity};
