@@ -115,6 +115,9 @@ pub enum FittedForm {
     },
 }
 
+/// The smallest cosine that fits are made for; polynomials over the angle are held there.
+const LEAST_COSINE: f64 = 0.01;
+
 /// Reflectance of a thin film in unpolarised light as a linear colour, with indices and the range of thickness fixed.
 ///
 /// Source: fitted to this scene's exact spectral reflectance, over cos(theta1) from 0.01 to 1 and the scene's range of
@@ -129,7 +132,9 @@ pub fn fitted_reflectance<S: Scalar>(
     /// Thickness of the film, nm, within the range that was fitted.
     thickness_nm: S,
 ) -> S::Vec3 {
-    let y = 1.0 / (cos_theta1 + S::lit(fit.angle_offset));
+    // Closer to grazing there were no samples, and the polynomials leave their bounds.
+    let held = cos_theta1.max(S::lit(LEAST_COSINE)).named("held_cosine");
+    let y = 1.0 / (held + S::lit(fit.angle_offset));
     let mean = angle_mean(&fit.mean, y);
     if fit.form == FittedForm::AngleOnly {
         return mean;

@@ -20,6 +20,19 @@ impl Largest {
         }
     }
 
+    /// Adds a count, and keeps the first place that has any.
+    pub fn add(&mut self, index: usize, count: f64) {
+        if count > 0.0 {
+            self.value += count;
+            self.index = self.index.or(Some(index));
+        }
+    }
+
+    /// The sum of two counts.
+    pub fn and(self, other: Self) -> Self {
+        Self { value: self.value + other.value, index: self.index.or(other.index) }
+    }
+
     /// The larger of two.
     pub fn or(self, other: Self) -> Self {
         if other.index.is_some() && (self.index.is_none() || other.value > self.value) { other } else { self }

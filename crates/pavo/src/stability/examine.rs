@@ -160,9 +160,12 @@ impl<'a> Examination<'a> {
             if part.cases.is_empty() || (part.quantity == ShadingQuantity::Directions && !all_roads) {
                 continue;
             }
-            self.catalogue(shading, part, all_roads, white, &mut examined)?;
+            let by_wgsl = Prepared::new(Road::Wgsl, shading, part.quantity)?;
+            self.catalogue(shading, part, &by_wgsl, all_roads, white, &mut examined)?;
+            if part.quantity == ShadingQuantity::Reflectance {
+                self.sweep(shading, &by_wgsl, white, &mut examined)?;
+            }
         }
-        self.sweep(shading, white, &mut examined)?;
         Ok(examined)
     }
 
@@ -171,6 +174,7 @@ impl<'a> Examination<'a> {
         &self,
         shading: &Shading,
         part: &Part<'_>,
+        by_wgsl: &Prepared,
         all_roads: bool,
         white: OverWhite,
         examined: &mut Examined,
@@ -181,7 +185,7 @@ impl<'a> Examination<'a> {
             points.iter().map(|point| point.iter().copied().map(f64::from).collect()).collect();
         let in_f64 = shading.evaluate_each(quantity, &double);
         let mut evaluated = vec![("cpu f32".to_owned(), in_f64_of(&shading.evaluate_each_f32(quantity, &points)))];
-        for (name, colors) in self.by_roads(shading, quantity, all_roads, &part.points)? {
+        for (name, colors) in self.by_roads(shading, part, by_wgsl, all_roads)? {
             examined.device_points += colors.len();
             evaluated.push((name, in_f64_of(&colors)));
         }
@@ -235,7 +239,16 @@ impl<'a> Examination<'a> {
                         ("cpu f64", Largest::of(jumps), places.len())
                     }
                     Check::Reciprocity => {
-                        let (name, largest) = self.reciprocity(shading, part, range.clone(), &with_f64)?;
+                        let figures = with_f64.iter().map(|(name, colors)| {
+                            let all = range.clone().map(|index| {
+                                // The heights of light and view over the horizon: the normal is the z axis.
+                                let [n_dot_l, n_dot_v] = [points[index][5], points[index][8]].map(f64::from);
+                                let other = colors[index + case.points];
+                                (index, exchange(colors[index], n_dot_l, other, n_dot_v))
+                            });
+                            (*name, Largest::of(all))
+                        });
+                        let (name, largest) = largest_of(figures);
                         (name, largest, case.points)
                     }
                     Check::Energy => {
@@ -259,94 +272,54 @@ impl<'a> Examination<'a> {
         Ok(())
     }
 
-    /// The points on the device, by each road that is asked for.
+    /// The points on the device, by WGSL and where that is asked for by all roads.
     fn by_roads(
         &self,
         shading: &Shading,
-        quantity: ShadingQuantity,
-        all_roads: bool,
-        points: &[f32],
-    ) -> Result<Vec<(String, Vec<[f32; 3]>)>, StabilityError> {
-        let roads = if all_roads { &Road::ALL[..] } else { &[Road::Wgsl] };
-        let mut done: Vec<(Prepared, String, Vec<[f32; 3]>)> = Vec::new();
-        for &road in roads {
-            let prepared = Prepared::new(road, shading, quantity)?;
-            // The same words give the same colours: they run once, under both names.
-            if let Some((_, name, _)) = done.iter_mut().find(|(other, ..)| other.words() == prepared.words()) {
-                *name = format!("{name}, {}", road.name());
-                continue;
-            }
-            let colors = prepared.evaluate(self.device, points)?;
-            done.push((prepared, road.name().to_owned(), colors));
-        }
-        Ok(done.into_iter().map(|(_, name, colors)| (name, colors)).collect())
-    }
-
-    /// The BRDF with light and view exchanged, on the CPU in `f64` and `f32` and on the device.
-    fn reciprocity<'n>(
-        &self,
-        shading: &Shading,
         part: &Part<'_>,
-        range: std::ops::Range<usize>,
-        evaluated: &[(&'n str, &[[f64; 3]])],
-    ) -> Result<(&'n str, Largest), StabilityError> {
-        let width = part.width;
-        // The normal is the first of the three directions, and the z axis.
-        let mut exchanged = part.points[range.start * width..range.end * width].to_vec();
-        for point in exchanged.chunks_exact_mut(width) {
-            let (light, view) = point[3..9].split_at_mut(3);
-            light.swap_with_slice(view);
+        by_wgsl: &Prepared,
+        all_roads: bool,
+    ) -> Result<Vec<(String, Vec<[f32; 3]>)>, StabilityError> {
+        let mut done = vec![(Road::Wgsl.name().to_owned(), by_wgsl.evaluate(self.device, &part.points)?)];
+        for road in Road::ALL.into_iter().filter(|road| all_roads && *road != Road::Wgsl) {
+            let prepared = Prepared::new(road, shading, part.quantity)?;
+            if prepared.words() == by_wgsl.words() {
+                // The same words give the same colours: they run once, under both names.
+                done[0].0 = format!("{}, {}", done[0].0, road.name());
+            } else {
+                done.push((road.name().to_owned(), prepared.evaluate(self.device, &part.points)?));
+            }
         }
-        let points: Vec<Vec<f32>> = exchanged.chunks_exact(width).map(<[f32]>::to_vec).collect();
-        let double: Vec<Vec<f64>> =
-            points.iter().map(|point| point.iter().copied().map(f64::from).collect()).collect();
-        let on_device = Prepared::new(Road::Wgsl, shading, part.quantity)?.evaluate(self.device, &exchanged)?;
-        let others = [
-            shading.evaluate_each(part.quantity, &double),
-            in_f64_of(&shading.evaluate_each_f32(part.quantity, &points)),
-            in_f64_of(&on_device),
-        ];
-        let figures = evaluated.iter().zip(others).map(|((name, colors), exchanged)| {
-            let all = range.clone().zip(&exchanged).map(|(index, exchanged)| {
-                let point = &part.points[index * width..];
-                let [n_dot_l, n_dot_v] = [point[5], point[8]].map(f64::from);
-                (index, exchange(colors[index], n_dot_l, *exchanged, n_dot_v))
-            });
-            (*name, Largest::of(all))
-        });
-        Ok(largest_of(figures))
+        Ok(done)
     }
 
     /// The sweep: all points on the device, and some of them on the CPU.
-    fn sweep(&self, shading: &Shading, white: OverWhite, examined: &mut Examined) -> Result<(), StabilityError> {
+    fn sweep(
+        &self,
+        shading: &Shading,
+        by_wgsl: &Prepared,
+        white: OverWhite,
+        examined: &mut Examined,
+    ) -> Result<(), StabilityError> {
         let Part { inputs, width, quantity, .. } = &self.reflectance;
         let count = self.share(shading).min(self.sweep.len() / (*width).max(1));
         if count == 0 {
             return Ok(());
         }
         let sweep = &self.sweep[..count * width];
-        let prepared = Prepared::new(Road::Wgsl, shading, *quantity)?;
-        let colors = prepared.evaluate(self.device, sweep)?;
+        let colors = by_wgsl.evaluate(self.device, sweep)?;
         examined.device_points += colors.len();
+        let scan = |(mut infinite, mut outside): (Largest, Largest), (index, color): (usize, &[f32; 3])| {
+            let color = color.map(f64::from);
+            infinite.add(index, not_finite(color));
+            outside.take(index, white.excess(color));
+            (infinite, outside)
+        };
         let (infinite, outside) = colors
             .par_iter()
             .enumerate()
-            .fold(
-                || (0.0, Largest::default(), Largest::default()),
-                |(sum, infinite, outside), (index, color)| {
-                    let color = color.map(f64::from);
-                    let (mut infinite, mut outside): (Largest, Largest) = (infinite, outside);
-                    let missing = not_finite(color);
-                    infinite.take(index, missing);
-                    outside.take(index, white.excess(color));
-                    (sum + missing, infinite, outside)
-                },
-            )
-            .reduce(
-                || (0.0, Largest::default(), Largest::default()),
-                |(a, b, c), (d, e, f)| (a + d, b.or(e), c.or(f)),
-            )
-            .into_parts();
+            .fold(Default::default, scan)
+            .reduce(Default::default, |(a, b), (c, d): (Largest, Largest)| (a.and(c), b.or(d)));
         let device = Road::Wgsl.name();
         let point = |index: usize| &sweep[index * width..(index + 1) * width];
         let add = |examined: &mut Examined, check, evaluator, points, largest: Largest| {
@@ -416,18 +389,6 @@ impl<'a> Examination<'a> {
     }
 }
 
-/// What a parallel count gives: the sum as a figure of its own, at the place of the largest.
-trait IntoParts {
-    fn into_parts(self) -> (Largest, Largest);
-}
-
-impl IntoParts for (f64, Largest, Largest) {
-    fn into_parts(self) -> (Largest, Largest) {
-        let (sum, infinite, outside) = self;
-        (Largest { value: sum, ..infinite }, outside)
-    }
-}
-
 impl<'a> Part<'a> {
     fn new(
         catalogue: &Catalogue,
@@ -450,10 +411,22 @@ impl<'a> Part<'a> {
                 Vec::new()
             };
             part.cases.push(CasePoints { case, first: part.points.len() / part.width, reference });
-            part.points.extend(points);
+            part.points.extend(&points);
+            if case.checks.contains(&Check::Reciprocity) {
+                part.points.extend(exchanged(points, part.width));
+            }
         }
         Ok(part)
     }
+}
+
+/// The points with light and view exchanged, which follow the normal.
+fn exchanged(mut points: Vec<f32>, width: usize) -> Vec<f32> {
+    for point in points.chunks_exact_mut(width) {
+        let (light, view) = point[3..9].split_at_mut(3);
+        light.swap_with_slice(view);
+    }
+    points
 }
 
 /// The exact reflectance at those of some points where it is one.
