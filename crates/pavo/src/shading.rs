@@ -12,7 +12,9 @@ use pavo_optics::surface::{brdf_of_reflectance, shade_surface, surface_brdf, sur
 use pavo_optics::{
     BaseKind, Directions, Film, Finish, Geometry, Layers, Light, Method, Specular, Surface, light::punctual_light,
 };
-use pavo_shade::{Dual, Graph, Input, LeftOut, Program, Rate, Scalar, Split, Stages, Vector, specialise, split, stages};
+use pavo_shade::{
+    Dual, Graph, Input, LeftOut, Program, Rate, Scalar, Split, Stages, Vector, specialise, split, stages,
+};
 use pavo_spectra::{OpticalConstants, Point, Reference, Sensitivities, Stack};
 use rayon::prelude::*;
 use thiserror::Error;

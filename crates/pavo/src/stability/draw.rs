@@ -113,12 +113,7 @@ impl Drawer {
                 if component == 0 || !shares {
                     dimension += 1;
                 }
-                variables.push(Variable {
-                    name: name.to_owned(),
-                    draw: draw.clone(),
-                    range,
-                    dimension: dimension - 1,
-                });
+                variables.push(Variable { name: name.to_owned(), draw: draw.clone(), range, dimension: dimension - 1 });
             }
         };
         let from_directions = case.is_of_radiance();

@@ -72,9 +72,7 @@ impl<'a> Examination<'a> {
     ) -> Result<Self, StabilityError> {
         let shading = surface.variants[0];
         let fixed = fixed(shading);
-        let of = |quantity: ShadingQuantity, cases: &[&'a Case]| {
-            Part::new(catalogue, cases, shading, quantity, &fixed)
-        };
+        let of = |quantity: ShadingQuantity, cases: &[&'a Case]| Part::new(catalogue, cases, shading, quantity, &fixed);
         let inputs = shading.inputs(ShadingQuantity::Directions);
         let knows = |name: &str| {
             let known = inputs.iter().any(|input| input.name == name) || fixed.iter().any(|(other, _)| other == name);
@@ -181,8 +179,7 @@ impl<'a> Examination<'a> {
     ) -> Result<(), StabilityError> {
         let quantity = part.quantity;
         let points: Vec<Vec<f32>> = part.points.chunks_exact(part.width).map(<[f32]>::to_vec).collect();
-        let double: Vec<Vec<f64>> =
-            points.iter().map(|point| point.iter().copied().map(f64::from).collect()).collect();
+        let double: Vec<Vec<f64>> = points.iter().map(|point| point.iter().copied().map(f64::from).collect()).collect();
         let in_f64 = shading.evaluate_each(quantity, &double);
         let mut evaluated = vec![("cpu f32".to_owned(), in_f64_of(&shading.evaluate_each_f32(quantity, &points)))];
         for (name, colors) in self.by_roads(shading, part, by_wgsl, all_roads)? {
@@ -254,7 +251,8 @@ impl<'a> Examination<'a> {
                     Check::Energy => {
                         let (largest, settings) = furnace(shading, white);
                         let worst = largest.index.map_or(Vec::new(), |index| settings[index].clone());
-                        let finding = self.finding(shading, &case.name, check, "cpu f64", settings.len(), largest.value);
+                        let finding =
+                            self.finding(shading, &case.name, check, "cpu f64", settings.len(), largest.value);
                         examined.findings.push(Finding { quantity: "brdf", worst, ..finding });
                         continue;
                     }
@@ -398,8 +396,13 @@ impl<'a> Part<'a> {
         fixed: &[(String, f64)],
     ) -> Result<Self, StabilityError> {
         let inputs = shading.inputs(quantity);
-        let mut part =
-            Self { quantity, width: inputs.iter().map(Input::components).sum(), inputs, cases: Vec::new(), points: Vec::new() };
+        let mut part = Self {
+            quantity,
+            width: inputs.iter().map(Input::components).sum(),
+            inputs,
+            cases: Vec::new(),
+            points: Vec::new(),
+        };
         for &case in cases {
             let drawer = Drawer::new(catalogue, case, &part.inputs, fixed)?;
             let points = drawer.points(0, case.points, 1);

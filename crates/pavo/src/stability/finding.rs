@@ -58,6 +58,21 @@ impl Check {
             Check::Reciprocity => "reciprocity",
         }
     }
+
+    /// What it checks, in words.
+    pub fn described(self) -> &'static str {
+        match self {
+            Check::Finite => "numbers that are NaN or infinite",
+            Check::Range => "how far the reflectance leaves 0 to 1, in XYZ over that of white",
+            Check::Single => "single precision against double",
+            Check::SingleP99 => "the same, exceeded by one point of a hundred",
+            Check::Reference => "double precision against the exact reference",
+            Check::Neutral => "colour where nothing colours",
+            Check::Continuity => "jumps between neighbouring inputs",
+            Check::Energy => "what a white furnace returns over what it sends",
+            Check::Reciprocity => "light and view exchanged",
+        }
+    }
 }
 
 impl fmt::Display for Check {

@@ -5,15 +5,15 @@
 mod catalogue;
 mod checks;
 mod draw;
-mod exceptions;
 mod examine;
+mod exceptions;
 mod finding;
 mod furnace;
 mod map;
 mod surfaces;
 
 pub use catalogue::{Case, Catalogue};
-pub use exceptions::{Exceptions, Judgement, Judged, Stale};
+pub use exceptions::{Exceptions, Judged, Judgement, Stale};
 pub use finding::{Check, Finding, SWEEP};
 pub use map::ErrorMap;
 pub use surfaces::{BuiltIn, Placed, built_in, by_variant};

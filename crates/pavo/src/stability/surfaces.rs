@@ -63,6 +63,14 @@ pub struct Placed {
     pub is_built_in: bool,
 }
 
+impl Placed {
+    /// A surface; the catalogue knows those of [`BuiltIn::ALL`] by name.
+    pub fn new(shading: Shading) -> Self {
+        let is_built_in = BuiltIn::ALL.iter().any(|surface| surface.name == shading.scene().name);
+        Self { shading, is_built_in }
+    }
+}
+
 /// The variants of one surface.
 pub(super) struct Surface<'a> {
     pub is_built_in: bool,
@@ -95,7 +103,7 @@ pub fn built_in(cache: &dyn FitCache) -> Result<Vec<Placed>, StabilityError> {
         let is_for = |variant: &Variant| surface.variants.iter().any(|pattern| matches(pattern, &variant.to_string()));
         wanted.extend(variants.filter(is_for).map(|variant| (scene.clone(), variant)));
     }
-    let made = wanted.par_iter().map(|(scene, variant)| place(scene, variant, cache, true));
+    let made = wanted.par_iter().map(|(scene, variant)| place(scene, variant, cache));
     Ok(made.collect::<Result<Vec<_>, _>>()?.into_iter().flatten().collect())
 }
 
@@ -103,26 +111,16 @@ pub fn built_in(cache: &dyn FitCache) -> Result<Vec<Placed>, StabilityError> {
 ///
 /// # Errors
 /// A scene whose data cannot be had.
-pub fn by_variant(
-    scene: &Scene,
-    variants: &[Variant],
-    cache: &dyn FitCache,
-) -> Result<Vec<Placed>, StabilityError> {
-    let is_built_in = BuiltIn::ALL.iter().any(|surface| surface.name == scene.name);
-    let made = variants.par_iter().map(|variant| place(scene, variant, cache, is_built_in));
+pub fn by_variant(scene: &Scene, variants: &[Variant], cache: &dyn FitCache) -> Result<Vec<Placed>, StabilityError> {
+    let made = variants.par_iter().map(|variant| place(scene, variant, cache));
     Ok(made.collect::<Result<Vec<_>, _>>()?.into_iter().flatten().collect())
 }
 
 /// A variant on a surface; nothing where it cannot be made for it.
-fn place(
-    scene: &Scene,
-    variant: &Variant,
-    cache: &dyn FitCache,
-    is_built_in: bool,
-) -> Result<Option<Placed>, StabilityError> {
+fn place(scene: &Scene, variant: &Variant, cache: &dyn FitCache) -> Result<Option<Placed>, StabilityError> {
     match Shading::with_cache(scene, variant, cache) {
         Err(ShadingError::Variant { .. }) => Ok(None),
-        other => Ok(Some(Placed { shading: other?, is_built_in })),
+        other => Ok(Some(Placed::new(other?))),
     }
 }
 

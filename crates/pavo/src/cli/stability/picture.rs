@@ -18,7 +18,8 @@ impl Picture for Maps<'_> {
     const SIZE: (u32, u32) = (1500, 420);
 
     fn draw<B: DrawingBackend>(&self, area: &DrawingArea<B, Shift>) -> Result<(), String> {
-        let title = format!("{}: largest difference of f32 from f64, black 1e-8, white 1e-2, grey no point", self.variant);
+        let title =
+            format!("{}: largest difference of f32 from f64, black 1e-8, white 1e-2, grey no point", self.variant);
         let area = area.titled(&title, (FONT, 20)).map_err(shown)?;
         for (map, area) in self.maps.iter().zip(area.split_evenly((1, self.maps.len()))) {
             panel(&area, map)?;
@@ -37,8 +38,7 @@ fn panel<B: DrawingBackend>(area: &DrawingArea<B, Shift>, map: &ErrorMap) -> Res
         .y_label_area_size(46)
         .build_cartesian_2d(left..right, thin..thick)
         .map_err(shown)?;
-    let [width, height] =
-        [(right - left) / ErrorMap::COLUMNS as f64, (thick - thin) / ErrorMap::ROWS as f64];
+    let [width, height] = [(right - left) / ErrorMap::COLUMNS as f64, (thick - thin) / ErrorMap::ROWS as f64];
     let cells = map.cells.iter().enumerate().map(|(index, error)| {
         let (column, row) = ((index % ErrorMap::COLUMNS) as f64, (index / ErrorMap::COLUMNS) as f64);
         let (x, y) = (left + column * width, thin + row * height);
