@@ -18,6 +18,7 @@ pub(super) enum Draw {
     Near { near: String, within: f64 },
     Times { times: String, from: f64, to: f64 },
     Critical { critical: String, within: f64 },
+    Above { critical: String, squared: f64 },
     Minus { minus: String },
     Grey { grey: Box<Draw> },
 }
@@ -28,7 +29,7 @@ impl Draw {
         match self {
             Draw::Near { near, .. } => vec![near],
             Draw::Times { times, .. } => vec![times],
-            Draw::Critical { critical, .. } => vec![critical, "ambient_ior"],
+            Draw::Critical { critical, .. } | Draw::Above { critical, .. } => vec![critical, "ambient_ior"],
             Draw::Minus { minus } => vec![minus],
             _ => Vec::new(),
         }
@@ -50,6 +51,10 @@ impl Draw {
             Draw::Critical { critical, within } => {
                 let ratio = other(critical) / other("ambient_ior");
                 (1.0 - ratio * ratio).max(0.0).sqrt() + offset(fraction, *within)
+            }
+            Draw::Above { critical, squared } => {
+                let [ior, ambient] = [other(critical), other("ambient_ior")];
+                ((squared - (ior - ambient) * (ior + ambient)).max(0.0).sqrt() / ambient).next_down()
             }
             Draw::Minus { minus } => -other(minus),
             Draw::Grey { grey } => grey.value(fraction, [low, high], other),

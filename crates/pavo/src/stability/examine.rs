@@ -35,6 +35,9 @@ pub(super) struct Examination<'a> {
     placed: &'a [Placed],
 }
 
+/// Colours by the names of the roads that they came by.
+type OnDevice = (String, Vec<[f32; 3]>);
+
 /// The cases of one quantity.
 struct Part<'a> {
     quantity: ShadingQuantity,
@@ -277,7 +280,7 @@ impl<'a> Examination<'a> {
         part: &Part<'_>,
         by_wgsl: &Prepared,
         all_roads: bool,
-    ) -> Result<Vec<(String, Vec<[f32; 3]>)>, StabilityError> {
+    ) -> Result<Vec<OnDevice>, StabilityError> {
         let mut done = vec![(Road::Wgsl.name().to_owned(), by_wgsl.evaluate(self.device, &part.points)?)];
         for road in Road::ALL.into_iter().filter(|road| all_roads && *road != Road::Wgsl) {
             let prepared = Prepared::new(road, shading, part.quantity)?;
