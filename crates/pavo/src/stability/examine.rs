@@ -11,6 +11,7 @@ use super::{Effort, StabilityError};
 use crate::inputs::ShadingQuantity;
 use crate::media::MediaError;
 use crate::roads::{Prepared, Road};
+use crate::scene::Base;
 use crate::shading::Shading;
 use pavo_check::Device;
 use pavo_shade::Input;
@@ -209,6 +210,8 @@ impl<'a> Examination<'a> {
                         let (name, largest) = over(&|color| white.excess(color));
                         (name, largest, case.points)
                     }
+                    // Over a base that has a colour of its own, what is left of an absent film has it too.
+                    Check::Neutral if !is_grey(shading, case) => continue,
                     Check::Neutral => {
                         let (name, largest) = over(&colouring);
                         (name, largest, case.points)
@@ -453,6 +456,15 @@ fn reference<'p>(
         places.iter().map(|&place| point(place).iter().copied().map(f64::from).collect()).collect();
     let exact = shading.reference_each(ShadingQuantity::Reflectance, &points)?;
     Ok(places.into_iter().zip(exact).collect())
+}
+
+/// Whether a case leaves the base of a surface without a colour.
+fn is_grey(shading: &Shading, case: &Case) -> bool {
+    match shading.scene().base {
+        Base::Dielectric { .. } | Base::Conductor { .. } => true,
+        Base::Metal { .. } | Base::Table { .. } => false,
+        Base::Metalness => case.inputs.contains_key("base_color"),
+    }
 }
 
 /// What a scene fixes of the media, by the names of inputs.
