@@ -47,10 +47,10 @@ fn the_page_of_a_scene_holds_its_sections_and_agrees_with_tune() {
     assert_eq!(ran.status, 0, "{}", ran.errors);
     let page = read(folder, "report/index.html");
     assert_stands_alone(&page, "the page");
-    for section in ["scene", "picked", "sphere", "frontier", "variants", "worst", "code", "reproduce"] {
+    for section in ["scene", "picked", "sphere", "frontier", "variants", "worst", "stability", "code", "reproduce"] {
         assert!(page.contains(&format!("<section id=\"{section}\">")), "the page has no section {section}");
     }
-    assert!(!page.contains("id=\"stability\""), "there is nothing to say of stability");
+    assert!(page.contains("numbers that are NaN or infinite: none over 4"), "the page says what is stable");
     assert_eq!(page.matches("<svg").count(), page.matches("</svg>").count());
     for file in ["frontier.svg", "frontier-lavapipe.svg"] {
         assert_svg(&read(folder, &format!("report/{file}")), file);
@@ -98,6 +98,7 @@ fn several_scenes_make_a_gallery_and_one_without_a_pick_fails() {
         let figures: Value = serde_json::from_str(&read(folder, &format!("out/{name}/report.json"))).expect("JSON");
         assert_eq!(figures["picked"].is_null(), name == "metal");
         assert!(figures["timed"].is_null());
+        assert!(figures["stability"].is_null() && !page.contains("id=\"stability\""), "{name} was not run");
     }
     let page = read(folder, "out/metal/index.html");
     assert!(page.contains("No variant keeps to the budget"));

@@ -259,7 +259,7 @@ pub fn film_reflectance<S: Scalar, R: Lanes<S> + Value<Leaf = S::Leaf>>(
         }
         let [base_ior, base_kappa] = channel_base::<S, R>(window, groups, base_index);
         let terms = film_terms(true, media, wave, media.base_wave(film.base, base_ior, base_kappa));
-        let is_total_reflection = wave.q2_squared.less_than(0.0);
+        let is_total_reflection = wave.q2_squared.less_than(S::lit(FRUSTRATED_BELOW));
         let frustrated = frustrated_reflectance::<S, S::Vec3>(film, terms, wave, path_nm);
         return S::Vec3::choose(is_total_reflection, frustrated, grouped);
     }
@@ -282,9 +282,14 @@ pub fn film_reflectance<S: Scalar, R: Lanes<S> + Value<Leaf = S::Leaf>>(
         return series;
     }
     let terms = airy();
-    let is_total_reflection = wave.q2_squared.less_than(0.0);
+    let is_total_reflection = wave.q2_squared.less_than(S::lit(FRUSTRATED_BELOW));
     S::Vec3::choose(is_total_reflection, frustrated_reflectance::<S, R>(film, terms, wave, path_nm), series)
 }
+
+/// The square of the normal wave vector component in the film below which the exact reflectance at one wavelength a
+/// channel takes over. Just above 0 the waves outside dwarf that in the film: sums over orders lose their digits, and the
+/// phase hardly depends on the wavelength.
+const FRUSTRATED_BELOW: f64 = 1e-4;
 
 /// Under total internal reflection into the film the round trips decay instead of interfering: the exact reflectance
 /// at one wavelength a channel is smooth enough.

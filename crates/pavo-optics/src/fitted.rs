@@ -115,6 +115,9 @@ pub enum FittedForm {
     },
 }
 
+/// The smallest cosine that fits are made for.
+const LEAST_COSINE: f64 = 0.01;
+
 /// Reflectance of a thin film in unpolarised light as a linear colour, with indices and the range of thickness fixed.
 ///
 /// Source: fitted to this scene's exact spectral reflectance, over cos(theta1) from 0.01 to 1 and the scene's range of
@@ -147,7 +150,7 @@ pub fn fitted_reflectance<S: Scalar>(
             mean - waves * amplitude
         }
         FittedForm::Kernel { contrast, sharpness } => {
-            let kernel_sharpness = polynomial(sharpness, y) * log_window.exp();
+            let kernel_sharpness = held_polynomial(sharpness, y, fit.angle_offset) * log_window.exp();
             let amplitude = polynomial(contrast, y) * (1.0 - kernel_sharpness * kernel_sharpness).sqrt();
             let kernels = sum::<S>(&fit.nodes, path_nm, |phase| 1.0 / (1.0 - kernel_sharpness * phase.cos()));
             mean - kernels * amplitude
@@ -156,7 +159,7 @@ pub fn fitted_reflectance<S: Scalar>(
             let log_damping = S::lit(*exponent) * log_window - S::lit(*damping_slope) * path_nm;
             let window = log_window.min(log_damping + S::lit(*log_taper)).exp();
             let amplitude = polynomial(contrast, y) * window;
-            let trip = polynomial(round_trip, y) * log_damping.exp();
+            let trip = held_polynomial(round_trip, y, fit.angle_offset) * log_damping.exp();
             let offset = 1.0 + trip * trip;
             let doubled = 2.0 * trip;
             let kernel = |cosine: S| (cosine - trip) / (offset - doubled * cosine);
@@ -199,6 +202,24 @@ fn polynomial<S: Real>(coefficients: &[f64], y: S) -> S {
     let mut descending = coefficients.iter().rev();
     let highest = S::lit(descending.next().copied().unwrap_or(0.0));
     descending.fold(highest, |value, &coefficient| value * y + S::lit(coefficient))
+}
+
+/// The same for an amplitude of a kernel, which divides by 0 at 1: closer to grazing than the samples of the fit it is held
+/// at the largest that it has among them. Where it does not leave that, nothing is held.
+fn held_polynomial<S: Real>(coefficients: &[f64], y: S, angle_offset: f64) -> S {
+    const SAMPLES: usize = 256;
+    let at = |cosine: f64| polynomial(coefficients, 1.0 / (cosine + angle_offset));
+    let over =
+        |from: f64, to: f64| (0..=SAMPLES).map(move |index| from + (to - from) * index as f64 / SAMPLES as f64).map(at);
+    let largest = over(LEAST_COSINE, 1.0).map(f64::abs).fold(0.0, f64::max);
+    let value = polynomial(coefficients, y);
+    if over(0.0, LEAST_COSINE).any(|beyond| beyond > largest) {
+        value.min(S::lit(largest))
+    } else if over(0.0, LEAST_COSINE).any(|beyond| beyond < -largest) {
+        value.max(S::lit(-largest))
+    } else {
+        value
+    }
 }
 
 fn scaled(coefficients: &[f64], factor: u32) -> AnglePolynomial {

@@ -3,7 +3,8 @@
 mod common;
 
 use common::{Case, Random, colour, film, order_sums};
-use pavo_optics::BaseKind;
+use pavo_optics::film::film_reflectance;
+use pavo_optics::{BaseKind, Film};
 
 #[test]
 fn a_base_that_reflects_totally_gives_back_all_light() {
@@ -77,4 +78,33 @@ fn beyond_the_critical_angle_of_the_film_each_channel_is_exact_at_its_wavelength
             }
         }
     }
+}
+
+/// The colour in `f32` and in `f64`, for the same numbers.
+fn in_both_precisions(film: &Film, case: &Case) -> [[f64; 3]; 2] {
+    let Case { cos_theta1, thickness_nm, ambient_ior, film_ior, base_ior, base_kappa, .. } = *case;
+    let numbers = [cos_theta1, thickness_nm, ambient_ior, film_ior, base_ior, base_kappa].map(|number| number as f32);
+    let [a, b, c, d, e, f] = numbers;
+    let single = film_reflectance::<f32, f32>(film, a, b, c, d, e, f).to_array().map(f64::from);
+    let [a, b, c, d, e, f] = numbers.map(f64::from);
+    [single, film_reflectance::<f64, f64>(film, a, b, c, d, e, f).to_array()]
+}
+
+#[test]
+fn around_the_critical_angle_of_the_film_single_precision_keeps_its_digits() {
+    let critical = (1.0 - (1.3_f64 / 1.7).powi(2)).sqrt();
+    let mut largest = 0.0_f64;
+    for (base, base_kappa) in [(BaseKind::Dielectric { total_reflection: true }, 0.0), (BaseKind::Conductor, 2.5)] {
+        for offset in [-1e-3, -1e-5, -1e-6, -1e-7, 0.0, 1e-7, 1e-6, 1e-5, 1e-3] {
+            for thickness_nm in [90.0, 1500.0] {
+                let case = Case { base_kappa, thickness_nm, ..frustrated_case(critical + offset) };
+                for method in order_sums() {
+                    let [single, double] = in_both_precisions(&film(base, true, method), &case);
+                    let differences = single.into_iter().zip(double).map(|(single, double)| (single - double).abs());
+                    largest = differences.fold(largest, f64::max);
+                }
+            }
+        }
+    }
+    assert!(largest <= 5e-5, "{largest:e}");
 }

@@ -52,6 +52,8 @@ pub mod cli;
 #[cfg(feature = "cli")]
 pub mod roads;
 #[cfg(feature = "cli")]
+pub mod stability;
+#[cfg(feature = "cli")]
 pub mod tuning;
 
 pub use build::{Build, BuildError, Built};

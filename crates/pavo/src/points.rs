@@ -20,7 +20,7 @@ pub fn spread(inputs: &[Input], count: usize, seed: u64) -> Vec<Vec<f64>> {
 }
 
 /// The steps of the recurrence: powers of the inverse of the root of `x^(d + 1) = x + 1`.
-fn steps(dimensions: usize) -> Vec<f64> {
+pub(crate) fn steps(dimensions: usize) -> Vec<f64> {
     let mut root = 2.0_f64;
     for _ in 0..64 {
         root = (1.0 + root).powf(1.0 / (dimensions as f64 + 1.0));

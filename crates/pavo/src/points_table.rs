@@ -46,9 +46,11 @@ pub struct PointsTable {
     pub out_of_range: usize,
 }
 
-/// The names of the columns of an input: its own, or one for each component of a colour.
+/// The names of the columns of an input: its own, or one for each component of a colour or a direction.
 pub fn column_names(input: &Input) -> Vec<String> {
+    let is_direction = ["normal", "light_direction", "view_direction"].contains(&input.name.as_str());
     match input.ty {
+        Type::Vec3 if is_direction => ["x", "y", "z"].map(|axis| format!("{}_{axis}", input.name)).to_vec(),
         Type::Vec3 => ["r", "g", "b"].map(|component| format!("{}_{component}", input.name)).to_vec(),
         _ => vec![input.name.clone()],
     }

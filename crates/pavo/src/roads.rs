@@ -65,6 +65,63 @@ pub enum RoadError {
     Check(#[from] CheckError),
 }
 
+/// A quantity that is ready to run by a road.
+pub struct Prepared {
+    words: Vec<u32>,
+    /// How many numbers a point has.
+    width: usize,
+    /// Where each number that the program takes stands in a point.
+    columns: Vec<usize>,
+    tables: Vec<Vec<f32>>,
+}
+
+impl Prepared {
+    /// Emits a quantity and has it judged.
+    ///
+    /// # Errors
+    /// If the text cannot be emitted, or a judge refuses it.
+    pub fn new(road: Road, shading: &Shading, quantity: ShadingQuantity) -> Result<Self, RoadError> {
+        let words = road.spirv(shading, quantity)?;
+        let program = shading.program(quantity);
+        let inputs = shading.inputs(quantity);
+        Ok(Self {
+            words,
+            width: inputs.iter().map(Input::components).sum(),
+            columns: columns(&inputs, program.inputs()),
+            tables: program.tables().iter().map(table_numbers).collect(),
+        })
+    }
+
+    /// The SPIR-V that runs.
+    pub fn words(&self) -> &[u32] {
+        &self.words
+    }
+
+    /// Evaluates points, which have a number for each component of each input, one after the other.
+    ///
+    /// # Errors
+    /// If the device fails.
+    pub fn evaluate(&self, device: &Device, points: &[f32]) -> Result<Vec<[f32; 3]>, RoadError> {
+        let shader =
+            ComputeShader { spirv: &self.words, entry: "main", workgroup_size: WORKGROUP_SIZE, tables: &self.tables };
+        let takes_all = self.columns.iter().copied().eq(0..self.width);
+        let taken: Vec<f32> = if takes_all {
+            Vec::new()
+        } else {
+            let point = |point: &[f32]| self.columns.iter().map(|&column| point[column]).collect::<Vec<f32>>();
+            points.chunks_exact(self.width.max(1)).flat_map(point).collect()
+        };
+        let outputs = device.evaluate(&shader, if takes_all { points } else { &taken }, self.columns.len(), 3)?;
+        let mut colors: Vec<[f32; 3]> = outputs.chunks_exact(3).map(|color| [color[0], color[1], color[2]]).collect();
+        if self.columns.is_empty() {
+            // A program without inputs gives the same colour at each point.
+            let color = colors.first().copied().unwrap_or([f32::NAN; 3]);
+            colors = vec![color; points.len() / self.width.max(1)];
+        }
+        Ok(colors)
+    }
+}
+
 /// Evaluates a quantity at many points by a road.
 ///
 /// # Errors
@@ -76,19 +133,7 @@ pub fn evaluate(
     quantity: ShadingQuantity,
     points: &[Vec<f32>],
 ) -> Result<Vec<[f32; 3]>, RoadError> {
-    let words = road.spirv(shading, quantity)?;
-    let program = shading.program(quantity);
-    let columns = columns(&shading.inputs(quantity), program.inputs());
-    let inputs: Vec<f32> = points.iter().flat_map(|point| columns.iter().map(|&column| point[column])).collect();
-    let tables: Vec<Vec<f32>> = program.tables().iter().map(table_numbers).collect();
-    let shader = ComputeShader { spirv: &words, entry: "main", workgroup_size: WORKGROUP_SIZE, tables: &tables };
-    let outputs = device.evaluate(&shader, &inputs, columns.len(), 3)?;
-    let mut colors: Vec<[f32; 3]> = outputs.chunks_exact(3).map(|color| [color[0], color[1], color[2]]).collect();
-    if columns.is_empty() {
-        // A program without inputs gives the same colour at each point.
-        colors = vec![colors.first().copied().unwrap_or([f32::NAN; 3]); points.len()];
-    }
-    Ok(colors)
+    Prepared::new(road, shading, quantity)?.evaluate(device, &points.concat())
 }
 
 /// A table as a buffer of [`Road::spirv`] holds it: a fourth number after each three.

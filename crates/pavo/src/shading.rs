@@ -11,7 +11,9 @@ use pavo_optics::surface::{brdf_of_reflectance, shade_surface, surface_brdf, sur
 use pavo_optics::{
     BaseKind, Directions, Film, Finish, Geometry, Layers, Light, Method, Specular, Surface, light::punctual_light,
 };
-use pavo_shade::{Graph, Input, LeftOut, Program, Rate, Scalar, Split, Stages, Vector, specialise, split, stages};
+use pavo_shade::{
+    Dual, Graph, Input, LeftOut, Program, Rate, Scalar, Split, Stages, Vector, specialise, split, stages,
+};
 use pavo_spectra::parallel::map_each;
 use pavo_spectra::{OpticalConstants, Point, Reference, Sensitivities, Stack};
 use thiserror::Error;
@@ -171,6 +173,47 @@ impl Shading {
     /// The colour at one point in `f64`: a number for each component of each input.
     pub fn evaluate(&self, quantity: ShadingQuantity, point: &[f64]) -> [f64; 3] {
         self.run::<f64>(quantity, &mut PointReader { numbers: point.iter() }).to_array()
+    }
+
+    /// The colour at one point in `f64`, and its derivative by one of the numbers of the point.
+    pub fn evaluate_with_derivative(
+        &self,
+        quantity: ShadingQuantity,
+        point: &[f64],
+        column: usize,
+    ) -> ([f64; 3], [f64; 3]) {
+        let number = |(place, value): (usize, &f64)| Dual::<1> {
+            value: *value,
+            derivatives: [if place == column { 1.0 } else { 0.0 }],
+        };
+        let point: Vec<Dual<1>> = point.iter().enumerate().map(number).collect();
+        let color = self.run::<Dual<1>>(quantity, &mut PointReader { numbers: point.iter() });
+        let channels = [color.x(), color.y(), color.z()];
+        (channels.map(|channel| channel.value), channels.map(|channel| channel.derivatives[0]))
+    }
+
+    /// What the scene fixes of the media, by the names that inputs would have.
+    pub(crate) fn fixed_media(&self) -> Vec<(&'static str, f64)> {
+        let scene = &self.scene;
+        let film = scene.film.as_ref().and_then(|film| match film.medium {
+            FilmMedium::Index(ior) => Some(ior),
+            FilmMedium::Material(_) | FilmMedium::Table(_) => None,
+        });
+        let (base_ior, base_kappa) = match scene.base {
+            Base::Dielectric { ior } => (Some(ior), None),
+            Base::Conductor { ior, kappa } => (Some(ior), Some(kappa)),
+            Base::Metal { .. } | Base::Table { .. } | Base::Metalness => (None, None),
+        };
+        let media = [
+            ("ambient_ior", Some(scene.ambient.ior)),
+            ("thickness_nm", scene.film.as_ref().map(|film| film.thickness_nm)),
+            ("film_ior", film),
+            ("base_ior", base_ior),
+            ("base_kappa", base_kappa),
+            ("roughness", Some(scene.surface.roughness)),
+            ("metalness", scene.surface.metalness),
+        ];
+        media.into_iter().filter_map(|(name, quantity)| Some((name, quantity?.fixed()?))).collect()
     }
 
     /// The colours at many points in `f64`, on all cores.

@@ -18,6 +18,7 @@ Examples:
   pavo fit scene my-film.toml --max-rms 0.002        a short form, fitted to this scene
   pavo tune my-film.toml --max-delta-e 1            the cheapest variant that is right enough
   pavo report my-film.toml -o report                all of this, as one page: report/index.html
+  pavo stability my-film.toml                       where its variant breaks
   pavo doctor                                       which judges and drivers are here
 
 Exit status: 0 fine, 1 a check failed, 2 bad input, 3 something needed is missing.";
@@ -53,6 +54,9 @@ pub enum Command {
     Tune(Tune),
     /// Write a page on a scene: every variant's error and cost, the pick, pictures, the worst points, the code.
     Report(Report),
+    /// Examine where variants break: a catalogue of hard cases and a sweep of many points, on the CPU and on lavapipe.
+    #[command(after_help = STABILITY_EXAMPLES)]
+    Stability(Stability),
     /// List the variants of a scene with their errors and operation counts.
     Variants(Variants),
     /// Say which judges and drivers were found.
@@ -317,6 +321,37 @@ pub struct Report {
     pub json: bool,
 }
 
+const STABILITY_EXAMPLES: &str = "\
+Examples:
+  pavo stability my-film.toml                       the variant of the scene
+  pavo stability --all -o stability                 every built-in variant, with maps and the worst points
+  pavo stability --all --quick                      the same with a short sweep";
+
+#[derive(Debug, Args)]
+pub struct Stability {
+    /// The scene file.
+    #[arg(required_unless_present = "all", conflicts_with = "all")]
+    pub scene: Option<PathBuf>,
+    /// Examine every built-in variant, with everything at run time.
+    #[arg(long)]
+    pub all: bool,
+    /// The variant [default: that of the scene, or all].
+    #[arg(long)]
+    pub variant: Option<String>,
+    /// The points of the sweep of each variant on lavapipe [default: 10000000, or with --quick 40000].
+    #[arg(long, value_name = "N")]
+    pub points: Option<usize>,
+    /// A short sweep, and each variant by every road on one surface alone.
+    #[arg(long)]
+    pub quick: bool,
+    /// Print all figures as JSON.
+    #[arg(long)]
+    pub json: bool,
+    /// The folder for the figures, the worst points, the scenes and maps of the error.
+    #[arg(short, long, value_name = "DIR")]
+    pub output: Option<PathBuf>,
+}
+
 #[derive(Debug, Args)]
 pub struct Variants {
     /// The scene file.
@@ -434,6 +469,8 @@ pub enum QuantityName {
     Brdf,
     /// The radiance under a punctual light.
     Radiance,
+    /// The same, over the directions themselves.
+    Directions,
 }
 
 impl From<QuantityName> for ShadingQuantity {
@@ -442,6 +479,7 @@ impl From<QuantityName> for ShadingQuantity {
             QuantityName::Reflectance => ShadingQuantity::Reflectance,
             QuantityName::Brdf => ShadingQuantity::Brdf,
             QuantityName::Radiance => ShadingQuantity::Radiance,
+            QuantityName::Directions => ShadingQuantity::Directions,
         }
     }
 }

@@ -23,6 +23,7 @@ mod report;
 mod sources;
 mod spectrum;
 mod sphere;
+mod stability;
 mod tune;
 mod variants;
 
@@ -54,6 +55,7 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
         Command::Fit(arguments) => fit::run(&arguments.fit),
         Command::Tune(arguments) => tune::run(&arguments),
         Command::Report(arguments) => report::run(&arguments),
+        Command::Stability(arguments) => stability::run(&arguments),
         Command::Variants(arguments) => variants::run(&arguments),
         Command::Doctor(arguments) => doctor::run(&arguments),
         Command::New(arguments) => new::run(&arguments),

@@ -79,6 +79,11 @@ impl Format {
     }
 }
 
+/// A picture as a PNG.
+pub(super) fn png_of(picture: &impl Picture) -> Result<Vec<u8>, Failure> {
+    Format::Png.encode(picture).map_err(|error| Failure::check(format!("the plot cannot be drawn: {error}")))
+}
+
 /// A picture as the text of an SVG.
 pub(super) fn svg<P: Picture>(picture: &P) -> Result<String, String> {
     register_font(FONT, FontStyle::Normal, dejavu::sans::regular()).map_err(|_| "its font cannot be read")?;

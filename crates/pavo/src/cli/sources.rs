@@ -18,7 +18,7 @@ use pavo_emit::{Form, Language};
 use std::path::{Path, PathBuf};
 
 /// What stands in place of a variant that is to be chosen.
-const AUTO: &str = "auto";
+pub(super) const AUTO: &str = "auto";
 
 /// A scene from its file, with the variant that the arguments or the scene name.
 pub struct Source {

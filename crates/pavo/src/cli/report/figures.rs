@@ -154,7 +154,7 @@ pub struct SphereFigures {
 /// Something found of the numerical stability of the emitted code.
 #[derive(Serialize)]
 pub struct StabilityFinding {
-    /// Where in the code.
+    /// What was checked.
     pub place: String,
     /// What was found.
     pub message: String,

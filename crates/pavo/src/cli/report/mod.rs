@@ -10,6 +10,7 @@ mod page;
 mod pictures;
 mod plots;
 mod scene_page;
+mod stability;
 mod survey;
 mod worst;
 

@@ -5,6 +5,7 @@ use super::description::Description;
 use super::figures::{CodeFigures, Cost, Figures, NotMeasured, Refused, Time, Timed, VariantFigures};
 use super::pictures::{Pictures, pictures};
 use super::plots::{PlotFile, plots};
+use super::stability;
 use super::worst;
 use crate::cli::cache::DiskCache;
 use crate::cli::failure::Failure;
@@ -112,6 +113,8 @@ pub fn survey<'a>(
     let pictures = pictures(&source, device, progress)?;
     progress.step(format!("{}: the worst points", scene.name));
     let worst_points = measured.judge().worst_points(shading, WORST_POINTS)?;
+    progress.step(format!("{}: numerical stability", scene.name));
+    let stability = device.map_or(Ok(Vec::new()), |device| stability::findings(device, shading))?;
     progress.step(format!("{}: the emitted code", scene.name));
     let quantity = library_quantity(scene);
     for warning in shading.warnings() {
@@ -143,7 +146,7 @@ pub fn survey<'a>(
         sphere: pictures.figures.clone(),
         worst_columns: measured.judge().inputs().iter().flat_map(column_names).collect(),
         worst_points,
-        stability: Vec::new(),
+        stability,
         operations: shading.program(ShadingQuantity::Reflectance).operations(),
         code: code(&source)?,
         left_out: shading.left_out(quantity),
