@@ -5,7 +5,7 @@ use crate::points::columns;
 use crate::{Shading, compute};
 use pavo_check::{CheckError, ComputeShader, Device, Stage, glsl_to_spirv, judge_spirv, judge_text, wgsl_to_spirv};
 use pavo_emit::{Dialect, EmitError, Form, Language, WORKGROUP_SIZE};
-use pavo_shade::Table;
+use pavo_shade::{Input, Table};
 use thiserror::Error;
 
 /// A way from the emitted code to the device.

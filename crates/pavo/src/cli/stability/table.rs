@@ -2,7 +2,7 @@
 
 use super::Failure;
 use crate::cli::command_line::quoted;
-use crate::cli::points_table::column_names;
+use crate::points_table::column_names;
 use crate::inputs::ShadingQuantity;
 use crate::stability::{Check, Effort, Finding, Judged, Judgement, Placed, Stability};
 use pavo_check::DeviceDescription;
