@@ -10,6 +10,7 @@
 //! digits where B approaches 1, at grazing angles. Equally spaced phases follow from two of them by a recurrence.
 
 use crate::film::BaseKind;
+use crate::precision::Precision;
 use crate::relative::{RelativeFilm, RelativeWaves};
 use pavo_shade::{Lanes, Real, Scalar, Value, Vector, shade};
 
@@ -121,6 +122,8 @@ pub struct NodeTerms<R: Real> {
 pub struct WindowedFilm<R: Real> {
     /// What does not depend on the phase: `1 - sum_pol Q (1 - kappa) / 2`.
     pub rest: R,
+    /// What the nodes of a channel come to on average over the phase: `sum_pol kappa Q / 2`.
+    pub mean: R,
     /// The factor of all nodes; 1 on a complex base.
     pub scale: R,
     /// s polarisation.
@@ -154,25 +157,34 @@ impl<R: Real> WindowedFilm<R> {
             let scale = (entering * R::from_scalar(S::lit(1.0) / g_squared)).named("scale");
             let transmittance = one / mean_s + one / p.mean;
             let rest = (one + transmittance * (R::lit(2.0) * scale - R::lit(2.0) * entering)).named("rest");
+            let mean = (transmittance * (R::lit(2.0) * scale)).named("mean");
             let terms = |mean: R, flatness: R, name: &str| {
                 let offset = (mean * flatness).named(&format!("offset_{name}"));
                 NodeTerms { offset, even: (offset - mean / flatness).named(&format!("even_{name}")), odd: R::lit(0.0) }
             };
-            Self { rest, scale, s: terms(mean_s, s.flatness, "s"), p: terms(p.mean, p.flatness, "p") }
+            Self { rest, mean, scale, s: terms(mean_s, s.flatness, "s"), p: terms(p.mean, p.flatness, "p") }
         } else {
             let s = complex_kernel(film.s, lanes(damping), lanes(g_squared)).named("kernel_s");
             let p = complex_kernel(film.p, lanes(damping), lanes(g_squared)).named("kernel_p");
             let rest = (S::lit(2.0) / g_squared - S::lit(2.0)).named("rest");
-            let rest = R::lit(1.0) + (s.transmittance + p.transmittance) * R::from_scalar(rest);
+            let transmittance = s.transmittance + p.transmittance;
+            let rest = R::lit(1.0) + transmittance * R::from_scalar(rest);
+            let mean = (transmittance * R::from_scalar(S::lit(2.0) / g_squared)).named("mean");
             let terms =
                 |kernel: ComplexKernel<R>| NodeTerms { offset: kernel.offset, even: kernel.cosine, odd: kernel.sine };
-            Self { rest, scale: R::lit(1.0), s: terms(s), p: terms(p) }
+            Self { rest, mean, scale: R::lit(1.0), s: terms(s), p: terms(p) }
         }
     }
 
     /// Half of what a node of weight 1 contributes, before the scale, by what its phase gives.
-    pub fn node(&self, phase: Phase<R>) -> R {
-        node([self.s, self.p].map(|terms| terms.denominator(phase)))
+    pub fn node(&self, precision: Precision, phase: Phase<R>) -> R {
+        node(precision, [self.s, self.p].map(|terms| terms.denominator(phase)))
+    }
+
+    /// What the nodes are subtracted from, and what is taken from each node first. In half precision that is their mean:
+    /// where the window closes, nodes and rest are several times what is left of them.
+    pub(crate) fn rest_and_centre(&self, precision: Precision) -> (R, Option<R>) {
+        if precision.sums { ((self.rest - self.mean).named("rest"), Some(self.mean)) } else { (self.rest, None) }
     }
 }
 
@@ -186,8 +198,9 @@ impl<R: Real> NodeTerms<R> {
 }
 
 /// A node by the denominators of both polarisations.
-fn node<R: Real>([s, p]: [R; 2]) -> R {
-    (R::lit(1.0) / s + R::lit(1.0) / p).named("node")
+fn node<R: Real>(precision: Precision, [s, p]: [R; 2]) -> R {
+    let reciprocal = |denominator: R| precision.node(R::lit(1.0) / precision.node(denominator));
+    precision.node(reciprocal(s) + reciprocal(p)).named("node")
 }
 
 /// What a node needs of its phase.
@@ -214,18 +227,24 @@ pub(crate) fn closing<S: Scalar>(width_nm: f64, path_nm: S) -> [S; 2] {
     [g, (g * g).max(S::lit(0.1)).named("window_squared")]
 }
 
-/// The colour of a film by the nodes of a window: `rest`, less what they contribute.
+/// The colour of a film by the nodes of a window: a rest, less what they contribute beyond a centre.
 pub(crate) fn color_of_nodes<S: Scalar, R: Lanes<S> + Value<Leaf = S::Leaf>>(
+    precision: Precision,
     film: WindowedFilm<R>,
     base: BaseKind,
     nodes: impl IntoIterator<Item = R>,
     weights: &[[f64; 3]],
-    rest: S::Vec3,
+    (rest, centre): (S::Vec3, Option<R>),
 ) -> S::Vec3 {
-    let weighted = nodes
-        .into_iter()
-        .zip(weights)
-        .map(|(node, weight)| S::Vec3::lit3(weight.map(|weight| 2.0 * weight)) * node.into_vec3());
+    let nodes = nodes.into_iter().zip(weights);
+    if let Some(centre) = centre {
+        let scale = (R::lit(2.0) * film.scale).named("doubled_scale");
+        return nodes.fold(rest, |color, (node, weight)| {
+            let contribution = precision.sum(scale * node - centre).named("contribution");
+            precision.sum(color - precision.weighted::<S>(*weight, contribution.into_vec3())).named("color")
+        });
+    }
+    let weighted = nodes.map(|(node, weight)| S::Vec3::lit3(weight.map(|weight| 2.0 * weight)) * node.into_vec3());
     if base.is_real() {
         let sum = weighted.reduce(|sum, node| (sum + node).named("interference")).unwrap_or(S::Vec3::lit(0.0));
         (rest - film.scale.into_vec3() * sum).named("color")
@@ -236,6 +255,7 @@ pub(crate) fn color_of_nodes<S: Scalar, R: Lanes<S> + Value<Leaf = S::Leaf>>(
 
 /// Reflectance of the film by equally spaced wave numbers under a window, all orders, at the optical path of one pass.
 pub fn windowed_reflectance<S: Scalar, R: Lanes<S> + Value<Leaf = S::Leaf>>(
+    precision: Precision,
     window: &Window,
     base: BaseKind,
     film: RelativeFilm<R>,
@@ -243,12 +263,16 @@ pub fn windowed_reflectance<S: Scalar, R: Lanes<S> + Value<Leaf = S::Leaf>>(
 ) -> S::Vec3 {
     let film = WindowedFilm::new(window.width_nm, base, film, path_nm);
     let nodes: Vec<R> = if base.is_real() {
-        phases(window, base, path_nm).into_iter().map(|phase| film.node(phase.map(R::from_scalar))).collect()
+        let phases = phases(window, base, path_nm).into_iter();
+        phases.map(|phase| film.node(precision, phase.map(R::from_scalar))).collect()
     } else {
         let s = denominators(window, film.s, path_nm, "denominator_s");
-        s.into_iter().zip(denominators(window, film.p, path_nm, "denominator_p")).map(|(s, p)| node([s, p])).collect()
+        let p = denominators(window, film.p, path_nm, "denominator_p");
+        s.into_iter().zip(p).map(|(s, p)| node(precision, [s, p])).collect()
     };
-    color_of_nodes(film, base, nodes, &window.weights, film.rest.into_vec3())
+    let (rest, centre) = film.rest_and_centre(precision);
+    let rest = precision.sum(rest.into_vec3());
+    color_of_nodes(precision, film, base, nodes, &window.weights, (rest, centre))
 }
 
 /// The denominator at each node on a complex base. Like its cosines it follows from two by a recurrence:

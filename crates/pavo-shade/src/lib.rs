@@ -63,6 +63,11 @@
 //! - [`Dual`] gives derivatives of its results.
 //! - [`Emulated`] is `f32` with what drivers do to it: contraction, flushing, inexact sines and quotients.
 //! - [`Half`] rounds each operation to half precision.
+//!
+//! # Half precision
+//! [`Real::half`] marks what may be held in 16 bits. On the CPU it rounds; emitted WGSL has `f16` there, GLSL 4.50
+//! `float16_t` and GLSL ES `mediump`. A sum, difference, product or quotient of numbers held so that is held so itself
+//! is one of half precision: rounding it from `f32` gives the same bits, so that the CPU says what a device does.
 
 mod bounds;
 mod dual;
@@ -92,7 +97,7 @@ pub use expr::{Expr, ExprMask};
 pub use function::{FunctionInfo, Input, ParameterInfo, Rate};
 pub use graph::{BinaryOp, Comparison, Graph, Node, NodeId, Op, Type, UnaryOp};
 pub use half::Half;
-pub use operations::Operations;
+pub use operations::{Operations, is_held_in_half, is_in_half};
 pub use pavo_shade_macros::shade;
 pub use program::{Definition, Output, Parameter, Program, ReturnValue, operands};
 pub use rates::{LEAST_SAVED, OperationsByRate, PREPARED_SURFACE, Prepared, Split, Stages, split, stages};

@@ -6,6 +6,7 @@ use super::failure::Failure;
 use super::manifest::{InputRow, Manifest, PreparedRow, Rates, RunRow, Runs, TargetRow, against_reference};
 use super::output;
 use super::points_table::{column_names, digits};
+use super::precision::PrecisionSection;
 use super::progress::Progress;
 use super::sources::{Emitted, Source};
 use crate::emission::library_quantity;
@@ -55,6 +56,7 @@ pub fn run(arguments: &arguments::Build) -> Result<(), Failure> {
         left_out: shading.left_out(library_quantity(shading.scene())),
         runs,
         against_reference: against_reference(shading, REFERENCE_POINTS)?,
+        precision: PrecisionSection::of(shading, REFERENCE_POINTS),
         warnings: shading.warnings(),
     };
     let folder = arguments.output.clone().unwrap_or_else(|| PathBuf::from(&shading.scene().name));
@@ -190,6 +192,7 @@ fn report(folder: &Path, manifest: &Manifest<'_>, emitted: &[Emitted]) -> String
             manifest.rates.vertex.saved_per_pixel.weight()
         ));
     }
+    text.push_str(&manifest.precision.report());
     let reference = &manifest.against_reference;
     text.push_str(&format!(
         "\nReflectance against the exact spectral reference: max {:.2e}, RMS {:.2e} over {} points.\n\

@@ -1,5 +1,6 @@
 //! The manifest: all that is known of what was built.
 
+use super::precision::PrecisionSection;
 use super::sources::Emitted;
 use crate::emission::library_quantity;
 use crate::inputs::ShadingQuantity;
@@ -35,6 +36,8 @@ pub struct Manifest<'a> {
     pub runs: Option<Runs>,
     /// The reflectance of the variant, in f64, against the exact spectral reference over the scene's ranges.
     pub against_reference: Difference,
+    /// What is in half precision, and what that adds to the errors.
+    pub precision: PrecisionSection,
     /// What should be said of the data.
     pub warnings: Vec<String>,
 }

@@ -18,6 +18,7 @@ mod output;
 mod picture;
 mod plot;
 mod points_table;
+mod precision;
 mod preview;
 mod progress;
 mod report;

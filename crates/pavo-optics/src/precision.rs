@@ -1,0 +1,44 @@
+//! Which parts of a film's reflectance are held in half precision.
+
+use crate::film::Method;
+use pavo_shade::{Real, Scalar, Vector};
+
+/// The parts that are held in half precision; the rest takes the number type as it is.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Precision {
+    /// The colour: what each node, pole, Gaussian or wavelength adds to it, the weights and the sum.
+    pub sums: bool,
+    /// Of nodes under a window, also the reciprocals of both polarisations that make a node.
+    pub nodes: bool,
+}
+
+impl Precision {
+    /// Nothing is in half precision.
+    pub const FULL: Self = Self { sums: false, nodes: false };
+
+    /// What of a method stands half precision.
+    pub fn half(_method: &Method) -> Self {
+        Self { sums: true, nodes: false }
+    }
+
+    /// The names of the parts in half precision.
+    pub fn parts(self) -> Vec<&'static str> {
+        let parts = [(self.sums, "weights and sums"), (self.nodes, "nodes")];
+        parts.into_iter().filter(|(is_half, _)| *is_half).map(|(_, name)| name).collect()
+    }
+
+    /// A number of the sums.
+    pub(crate) fn sum<R: Real>(self, value: R) -> R {
+        if self.sums { value.half() } else { value }
+    }
+
+    /// A number of the nodes.
+    pub(crate) fn node<R: Real>(self, value: R) -> R {
+        if self.nodes { value.half() } else { value }
+    }
+
+    /// A weight times what it is the weight of.
+    pub(crate) fn weighted<S: Scalar>(self, weight: [f64; 3], value: S::Vec3) -> S::Vec3 {
+        self.sum(self.sum(S::Vec3::lit3(weight)) * self.sum(value))
+    }
+}
