@@ -1,8 +1,8 @@
 //! A film under one angle as the windowed fits see it: what does not depend on the fit is computed once.
 
-use pavo_optics::{BaseKind, Precision};
 use pavo_optics::relative::RelativeFilm;
 use pavo_optics::windowed::{Phase, WindowedFilm};
+use pavo_optics::{BaseKind, Precision};
 use pavo_spectra::Point;
 
 use crate::media::Media;

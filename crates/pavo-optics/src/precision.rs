@@ -16,9 +16,16 @@ impl Precision {
     /// Nothing is in half precision.
     pub const FULL: Self = Self { sums: false, nodes: false };
 
-    /// What of a method stands half precision.
-    pub fn half(_method: &Method) -> Self {
-        Self { sums: true, nodes: false }
+    /// What of a method stands half precision: the sums, where they are short. Measured over dielectrics and conductors
+    /// they add an RMS of 1e-4 to 5e-4 then; the nodes add up to 2.6e-3, and a sum over 81 wavelengths 1.3e-3.
+    pub fn half(method: &Method) -> Self {
+        const LONGEST_SUM: usize = 32;
+        let stands_it = match method {
+            Method::TabulatedSeries { .. } => false,
+            Method::Spectral { nodes } => nodes.len() <= LONGEST_SUM,
+            _ => true,
+        };
+        Self { sums: stands_it, nodes: false }
     }
 
     /// The names of the parts in half precision.

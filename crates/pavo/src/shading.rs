@@ -103,6 +103,11 @@ impl Shading {
         if let Some(specular) = fixed_film::specular(&shading, cache)? {
             shading.surface.specular = specular;
         }
+        if scene.emit.precision == scene::Precision::Half
+            && let Some(film) = film_of(&mut shading.surface.specular)
+        {
+            film.precision = Precision::half(&film.method);
+        }
         Ok(shading)
     }
 
@@ -465,16 +470,12 @@ fn specular(scene: &Scene, request: &MethodRequest<'_>) -> Result<Specular, Meth
     };
     let method = request.method()?;
     let is_at_wavelengths = matches!(method, Method::Spectral { .. });
-    let precision = match scene.emit.precision {
-        scene::Precision::Full => Precision::FULL,
-        scene::Precision::Half => Precision::half(&method),
-    };
     let film = Film {
         base: kind,
         total_reflection: film_index(film, request.film).low() < scene.ambient.ior.high(),
         method,
         channel_wavelengths_nm: channel_wavelengths(request.sensitivities),
-        precision,
+        precision: Precision::FULL,
     };
     Ok(match (&scene.base, request.base) {
         (Base::Metalness, _) => Specular::FilmOnMetalness(film),

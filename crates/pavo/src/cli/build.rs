@@ -114,8 +114,10 @@ fn test_vectors(source: &Source) -> Vec<u8> {
     let quantity = ShadingQuantity::Reflectance;
     let inputs = with_cosines(source.shading.inputs(quantity), [GRAZING_COSINE, 1.0]);
     let columns: Vec<String> = inputs.iter().flat_map(column_names).collect();
+    // A number of half precision next to 1 is 1e-3 from the next, and may be rounded either way.
+    let agrees = if source.shading.precision() == pavo_optics::Precision::FULL { "2e-5" } else { "4e-3" };
     let mut text = format!(
-        "# {} of {} by {} in f64; emitted code on a 32-bit device agrees within 2e-5.\n{},r,g,b\n",
+        "# {} of {} by {} in f64; emitted code on a 32-bit device agrees within {agrees}.\n{},r,g,b\n",
         quantity.name(),
         source.shading.scene().name,
         source.shading.variant(),
