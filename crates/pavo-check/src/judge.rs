@@ -3,7 +3,7 @@
 //! | input | judges |
 //! |---|---|
 //! | WGSL | naga; with an entry point also spirv-val, on the SPIR-V that naga writes |
-//! | GLSL 4.40 to 4.60 | naga, glslang for Vulkan 1.1, spirv-val on the SPIR-V that glslang writes |
+//! | GLSL 4.40 to 4.60 | naga, but for half precision, glslang for Vulkan 1.1, spirv-val on the SPIR-V that glslang writes |
 //! | GLSL 3.30, ES 3.00 and other versions | glslang's classic front end, with linking |
 //! | SPIR-V | spirv-val for Vulkan 1.1 |
 //! | Rust | syn, which reads the syntax and no types |

@@ -14,6 +14,20 @@ pub enum Syntax {
     Rust,
 }
 
+/// What a language has of half precision.
+#[derive(Debug, PartialEq, Eq)]
+pub struct HalfPrecision {
+    /// Names of the types: number, vector.
+    pub types: [&'static str; 2],
+    /// What a literal ends with.
+    pub suffix: &'static str,
+    /// The line that a text needs before it uses these types; may be empty.
+    pub directive: &'static str,
+    /// Whether these are types of their own, to which and from which numbers are converted. If not, the operands alone
+    /// say how precise an operation is, so that what is rounded needs a variable.
+    pub converts: bool,
+}
+
 /// A row of the table.
 #[derive(Debug)]
 pub struct Dialect {
@@ -35,6 +49,8 @@ pub struct Dialect {
     pub index_type: &'static str,
     /// The forms that are printed.
     pub forms: &'static [Form],
+    /// Half precision, where the language has it.
+    pub half: Option<HalfPrecision>,
     /// What a comment begins with that documents what stands after it.
     pub doc_comment: &'static str,
 }
@@ -57,6 +73,12 @@ static DIALECTS: [(Language, Dialect); 5] = [
             inverse_sqrt: "inverseSqrt",
             index_type: "u32",
             forms: &[Form::Library, Form::Compute, Form::Fragment],
+            half: Some(HalfPrecision {
+                types: ["f16", "vec3h"],
+                suffix: "h",
+                directive: "enable f16;\n",
+                converts: true,
+            }),
             doc_comment: "//",
         },
     ),
@@ -72,6 +94,12 @@ static DIALECTS: [(Language, Dialect); 5] = [
             inverse_sqrt: "inversesqrt",
             index_type: "int",
             forms: &[Form::Library, Form::Compute, Form::Fragment],
+            half: Some(HalfPrecision {
+                types: ["float16_t", "f16vec3"],
+                suffix: "hf",
+                directive: "#extension GL_EXT_shader_explicit_arithmetic_types_float16 : require\n",
+                converts: true,
+            }),
             doc_comment: "//",
         },
     ),
@@ -87,6 +115,7 @@ static DIALECTS: [(Language, Dialect); 5] = [
             inverse_sqrt: "inversesqrt",
             index_type: "int",
             forms: &[Form::Library, Form::Fragment],
+            half: None,
             doc_comment: "//",
         },
     ),
@@ -102,6 +131,12 @@ static DIALECTS: [(Language, Dialect); 5] = [
             inverse_sqrt: "inversesqrt",
             index_type: "int",
             forms: &[Form::Library, Form::Fragment],
+            half: Some(HalfPrecision {
+                types: ["mediump float", "mediump vec3"],
+                suffix: "",
+                directive: "",
+                converts: false,
+            }),
             doc_comment: "//",
         },
     ),
@@ -118,6 +153,7 @@ static DIALECTS: [(Language, Dialect); 5] = [
             inverse_sqrt: "",
             index_type: "usize",
             forms: &[Form::Library],
+            half: None,
             doc_comment: "///",
         },
     ),
@@ -141,6 +177,15 @@ impl Dialect {
         }
     }
 
+    /// The name of a type of what is held in half precision or not.
+    pub fn type_name_held(&self, ty: Type, in_half: bool) -> &'static str {
+        match (&self.half, ty) {
+            (Some(half), Type::Scalar) if in_half => half.types[0],
+            (Some(half), Type::Vec3) if in_half => half.types[1],
+            _ => self.type_name(ty),
+        }
+    }
+
     /// The name of a built-in function.
     pub fn function_name(&self, op: UnaryOp) -> &'static str {
         match op {
@@ -153,7 +198,7 @@ impl Dialect {
             UnaryOp::Floor => "floor",
             UnaryOp::Fract => "fract",
             UnaryOp::Normalize => "normalize",
-            UnaryOp::Negate | UnaryOp::Not => unreachable!("an operator is no function"),
+            UnaryOp::Negate | UnaryOp::Not | UnaryOp::Half => unreachable!("an operator is no function"),
         }
     }
 

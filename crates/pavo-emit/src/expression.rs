@@ -50,6 +50,8 @@ pub struct Expressions<'a> {
     pub fields: &'a [Vec<String>],
     /// The structs that each function takes in place of their fields.
     pub passed: &'a [Vec<PassedStruct>],
+    /// Whether the expression is one of half precision.
+    pub in_half: bool,
 }
 
 impl Expressions<'_> {
@@ -66,13 +68,16 @@ impl Expressions<'_> {
         {
             return written;
         }
+        if let Op::Unary(UnaryOp::Half, operand) = node.op {
+            return self.held_in_half(operand, node.ty);
+        }
         let call = |name: &str, operands: &[u32]| {
             let operands: Vec<String> = operands.iter().map(|&operand| self.whole(operand)).collect();
             (format!("{name}({})", operands.join(", ")), Binding::Primary)
         };
         match node.op {
-            Op::Literal(bits) => literal(self.dialect, f64::from_bits(bits)),
-            Op::Literal3(bits) => (vector(self.dialect, bits.map(f64::from_bits)), Binding::Primary),
+            Op::Literal(bits) => self.literal(f64::from_bits(bits)),
+            Op::Literal3(bits) => (self.vector(bits.map(f64::from_bits)), Binding::Primary),
             Op::Parameter(_) => (self.name(index), Binding::Primary),
             Op::Unary(op @ (UnaryOp::Negate | UnaryOp::Not), operand) => self.negation(op, operand, node.ty),
             Op::Unary(op, operand) => call(self.dialect.function_name(op), &[operand]),
@@ -110,6 +115,10 @@ impl Expressions<'_> {
     }
 
     pub fn at_least(&self, index: u32, binding: Binding) -> String {
+        if !self.in_half && self.is_half(index) && self.dialect.half.as_ref().is_some_and(|half| half.converts) {
+            let ty = self.definition.nodes[index as usize].ty;
+            return format!("{}({})", self.dialect.type_name(ty), self.with_half(true).whole(index));
+        }
         if let Local::Named { .. } = self.locals[index as usize] {
             return self.name(index);
         }
@@ -162,7 +171,7 @@ impl Expressions<'_> {
             && f64::from_bits(bits) < 0.0
         {
             let operator = if subtract { "+" } else { "-" };
-            let positive = literal(self.dialect, -f64::from_bits(bits)).0;
+            let positive = self.literal(-f64::from_bits(bits)).0;
             let text = format!("{} {operator} {positive}", self.at_least(a, Binding::Sum));
             return (text, Binding::Sum);
         }

@@ -5,7 +5,7 @@ use crate::expression::{Expressions, literal, vector};
 use crate::namer::Namer;
 use crate::passing::PassedStruct;
 use crate::text::{PrintedTable, Struct, WIDTH};
-use pavo_shade::{BinaryOp, Definition, Op, Output, ReturnValue, UnaryOp, operands};
+use pavo_shade::{BinaryOp, Definition, Node, Op, Output, ReturnValue, UnaryOp, is_in_half, operands};
 
 /// What stands for a node where it is used.
 #[derive(Clone, Debug)]
@@ -73,6 +73,7 @@ pub fn body(context: &Context<'_>, definition: &Definition, number: usize) -> Bo
         tables: context.tables,
         fields: context.fields,
         passed: context.passed,
+        in_half: false,
     };
     let changed: Vec<u32> = locals
         .iter()
@@ -95,7 +96,7 @@ pub fn body(context: &Context<'_>, definition: &Definition, number: usize) -> Bo
                     Op::Call(callee, _) => context.structs[callee as usize].as_ref().map(|made| made.name.as_str()),
                     _ => None,
                 };
-                let ty = ty.unwrap_or_else(|| context.dialect.type_name(node.ty));
+                let ty = ty.unwrap_or_else(|| context.dialect.type_name_held(node.ty, expressions.is_half(index)));
                 context.dialect.declare(ty, name, &expressions.computed(index).0, changed.contains(&index))
             }
         };
@@ -121,7 +122,15 @@ fn result_text(expressions: &Expressions<'_>, result: &Output) -> String {
 
 /// A variable changed in place: `name += ..` where what it held is the first operand, `name = ..` elsewhere.
 fn accumulation(expressions: &Expressions<'_>, index: u32, previous: u32, name: &str) -> String {
-    match expressions.definition.nodes[index as usize].op {
+    let node = &expressions.definition.nodes[index as usize];
+    let (expressions, op) = match node.op {
+        Op::Unary(UnaryOp::Half, operand) if expressions.is_computed_in_half(operand) => {
+            let in_half = expressions.dialect.half.is_some();
+            (expressions.with_half(in_half), expressions.definition.nodes[operand as usize].op)
+        }
+        op => (expressions.with_half(false), op),
+    };
+    match op {
         Op::Binary(op @ (BinaryOp::Add | BinaryOp::Subtract | BinaryOp::Multiply), first, operand)
             if first == previous =>
         {
@@ -201,6 +210,13 @@ fn locals(context: &Context<'_>, definition: &Definition, parameters: &[String],
             Op::Literal(_) | Op::Literal3(_) | Op::Component(..) => false,
             Op::Call(..) => returns_struct(index as u32),
             Op::Result(call, _) if returns_struct(call) => false,
+            // Where the operands alone say how precise an operation is, what is rounded needs a variable.
+            Op::Unary(UnaryOp::Half, operand)
+                if context.dialect.half.as_ref().is_some_and(|half| !half.converts)
+                    && !is_in_half(definition, operand) =>
+            {
+                true
+            }
             _ => (node.name.is_some() && uses[index] > 0) || uses[index] > 1,
         };
         if !is_variable {
@@ -228,7 +244,11 @@ fn accumulates(definition: &Definition, uses: &[usize], locals: &[Local], index:
         match &locals[operand as usize] {
             Local::Written => pending.extend(operands(other.op)),
             Local::Named { .. } => {
-                let same = other.name == node.name && other.ty == node.ty && !matches!(other.op, Op::Parameter(_));
+                let is_half = |node: &Node| matches!(node.op, Op::Unary(UnaryOp::Half, _));
+                let same = other.name == node.name
+                    && other.ty == node.ty
+                    && is_half(other) == is_half(node)
+                    && !matches!(other.op, Op::Parameter(_));
                 if same && uses[operand as usize] == 1 {
                     return Some(operand);
                 }
@@ -257,6 +277,7 @@ fn wanted_name(context: &Context<'_>, definition: &Definition, locals: &[Local],
             UnaryOp::Abs => of("abs", a),
             UnaryOp::Not => of("not", a),
             UnaryOp::Normalize => of("unit", a),
+            UnaryOp::Half => of("rounded", a),
             other => of(context.dialect.function_name(other), a),
         },
         Op::Binary(BinaryOp::Multiply, a, b) if a == b => operand(a).map_or_else(|| "square".to_owned(), squared_name),

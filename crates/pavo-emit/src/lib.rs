@@ -10,6 +10,7 @@ pub mod dialect;
 mod entry;
 mod expression;
 mod function;
+mod half;
 mod lines;
 mod literal;
 mod namer;

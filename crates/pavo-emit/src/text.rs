@@ -132,6 +132,10 @@ pub fn functions(program: &Program, options: &Options, names: &Names, tables: Ta
         source_lines: options.source_lines,
     };
     let mut text = String::new();
+    if let Some(half) = dialect.half.as_ref().filter(|half| program.has_half() && !half.directive.is_empty()) {
+        text.push('\n');
+        text.push_str(half.directive);
+    }
     for (index, (table, PrintedTable { name, .. })) in program.tables().iter().zip(&names.tables).enumerate() {
         text.push('\n');
         text.push_str(&doc_comment(dialect, &Paragraph::of_doc(dialect, std::slice::from_ref(&table.doc))));

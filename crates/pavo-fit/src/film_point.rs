@@ -1,8 +1,8 @@
 //! A film under one angle as the windowed fits see it: what does not depend on the fit is computed once.
 
-use pavo_optics::BaseKind;
 use pavo_optics::relative::RelativeFilm;
 use pavo_optics::windowed::{Phase, WindowedFilm};
+use pavo_optics::{BaseKind, Precision};
 use pavo_spectra::Point;
 
 use crate::media::Media;
@@ -41,7 +41,7 @@ impl FilmPoint {
             } else {
                 Phase::Wave([phase.cos(), phase.sin()])
             };
-            film.rest - 2.0 * film.node(phase)
+            film.rest - 2.0 * film.node(Precision::FULL, phase)
         })
     }
 }

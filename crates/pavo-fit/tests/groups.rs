@@ -2,7 +2,7 @@
 
 use pavo_fit::groups::{GroupsRequest, fit_groups};
 use pavo_optics::film::film_reflectance;
-use pavo_optics::{BaseKind, Film};
+use pavo_optics::{BaseKind, Film, Precision};
 use pavo_spectra::{ColourSpace, Illuminant, Observer, OpticalConstants, Sensitivities};
 
 fn sensitivities() -> Sensitivities {
@@ -40,6 +40,7 @@ fn three_groups_serve_films_on_coloured_metals() {
             total_reflection: false,
             method: fit.method(),
             channel_wavelengths_nm: [555.0; 3],
+            precision: Precision::FULL,
         };
         let grazing = film_reflectance::<f64, f64>(&film, 1e-6, 300.0, 1.0, film_ior, 1.0, 0.0).to_array();
         assert!(grazing.into_iter().all(|value| (value - 1.0).abs() < 1e-3), "{grazing:?}");

@@ -3,13 +3,15 @@
 //!
 //! `R_j = 1 - Q - 2 Q Re sum_(m = 1 .. M) b^m g^(m^2) sum_k w_jk e^(i m omega_k D)`.
 
+use crate::precision::Precision;
 use crate::relative::RelativeFilm;
 use crate::series::{both_series_terms, multiples, order_amplitudes, order_sum, powers_of_square};
 use crate::windowed::{Window, closing, waves};
-use pavo_shade::{Lanes, Scalar, Value, Vector};
+use pavo_shade::{Lanes, Scalar, Value};
 
 /// Reflectance of the film by a truncated sum of cosines, at the optical path of one pass.
 pub fn cosines_reflectance<S: Scalar, R: Lanes<S> + Value<Leaf = S::Leaf>>(
+    precision: Precision,
     window: &Window,
     order: usize,
     film: RelativeFilm<R>,
@@ -17,7 +19,7 @@ pub fn cosines_reflectance<S: Scalar, R: Lanes<S> + Value<Leaf = S::Leaf>>(
 ) -> S::Vec3 {
     let [s, p] = both_series_terms(film);
     let average = R::lit(1.0) - (s.transmittance + p.transmittance) * R::lit(0.5);
-    let mut color = average.into_vec3();
+    let mut color = precision.sum(average.into_vec3());
     let [g, _] = closing(window.width_nm, path_nm);
     let damping = powers_of_square(g, order, "window").into_iter().map(R::from_scalar);
     let amplitudes = order_amplitudes(order, s, p).into_iter().zip(damping);
@@ -26,7 +28,7 @@ pub fn cosines_reflectance<S: Scalar, R: Lanes<S> + Value<Leaf = S::Leaf>>(
     for ([cosine, sine], weight) in waves(window, path_nm).into_iter().zip(&window.weights) {
         let waves = multiples(cosine, sine, order).into_iter().map(|wave| wave.map(R::from_scalar));
         let node = order_sum(&damped, std::iter::repeat(R::lit(1.0)), waves);
-        color = (color - S::Vec3::lit3(*weight) * node.into_vec3()).named("color");
+        color = precision.sum(color - precision.weighted::<S>(*weight, node.into_vec3())).named("color");
     }
     color
 }

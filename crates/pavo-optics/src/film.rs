@@ -4,6 +4,7 @@ use crate::airy::{AiryTerms, airy_reflectance, airy_terms};
 use crate::cosines::cosines_reflectance;
 use crate::grouped::{WindowGroup, channel_base, grouped_reflectance};
 use crate::poles::{Pole, poles_reflectance};
+use crate::precision::Precision;
 use crate::relative::relative_film;
 use crate::series::{GaussianFit, series_reflectance};
 use crate::spectral::{SpectralNode, dispersive_reflectance, spectral_reflectance};
@@ -92,6 +93,8 @@ pub struct Film {
     /// A wavelength for each output channel, in nm, at which the exact reflectance stands for the channel where the
     /// series does not hold: under total internal reflection into the film.
     pub channel_wavelengths_nm: [f64; 3],
+    /// What is held in half precision.
+    pub precision: Precision,
 }
 
 /// The wave in the film.
@@ -265,18 +268,19 @@ pub fn film_reflectance<S: Scalar, R: Lanes<S> + Value<Leaf = S::Leaf>>(
     }
     let airy = || film_terms(film.total_reflection, media, wave, media.base_wave(film.base, base_ior, base_kappa));
     if let Method::Spectral { nodes } = &film.method {
-        return spectral_reflectance::<S, R>(film.total_reflection, nodes, airy(), wave, path_nm);
+        return spectral_reflectance::<S, R>(film, nodes, airy(), wave, path_nm);
     }
     let relative = relative_film(film.base, media, wave, base_ior, base_kappa);
+    let precision = film.precision;
     let series = match &film.method {
         Method::WindowedGroups { .. } | Method::Spectral { .. } => unreachable!("they have returned above"),
-        Method::Series { order, fit } => series_reflectance::<S, R>(*order, fit, relative, opd_nm),
+        Method::Series { order, fit } => series_reflectance::<S, R>(precision, *order, fit, relative, opd_nm),
         Method::TabulatedSeries { order, transform } => {
             tabulated_reflectance::<S, R>(*order, transform, relative, opd_nm)
         }
-        Method::Poles { poles } => poles_reflectance::<S, R>(poles, relative, opd_nm),
-        Method::Windowed { window } => windowed_reflectance::<S, R>(window, film.base, relative, path_nm),
-        Method::Cosines { order, window } => cosines_reflectance::<S, R>(window, *order, relative, path_nm),
+        Method::Poles { poles } => poles_reflectance::<S, R>(precision, poles, relative, opd_nm),
+        Method::Windowed { window } => windowed_reflectance::<S, R>(precision, window, film.base, relative, path_nm),
+        Method::Cosines { order, window } => cosines_reflectance::<S, R>(precision, window, *order, relative, path_nm),
     };
     if !film.total_reflection {
         return series;

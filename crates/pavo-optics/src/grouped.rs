@@ -96,9 +96,12 @@ pub fn grouped_reflectance<S: Scalar, R: Lanes<S> + Value<Leaf = S::Leaf>>(
             base_kappa,
         )
         .named("group");
-        let nodes = phases.into_iter().map(|phase| terms.node(phase.map(R::from_scalar)));
-        let rest = (color + S::Vec3::lit3(share(&part.weights)) * terms.rest.into_vec3()).named("color");
-        color = color_of_nodes(nodes, &part.weights, rest);
+        let precision = film.precision;
+        let nodes = phases.into_iter().map(|phase| terms.node(precision, phase.map(R::from_scalar)));
+        let (rest, centre) = terms.rest_and_centre(precision);
+        let rest =
+            precision.sum(color + precision.weighted::<S>(share(&part.weights), rest.into_vec3())).named("color");
+        color = color_of_nodes(precision, nodes, &part.weights, (rest, centre));
     }
     color
 }

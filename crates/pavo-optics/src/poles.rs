@@ -7,9 +7,10 @@
 //!
 //! `b` and `Q` are those of [`crate::series`].
 
+use crate::precision::Precision;
 use crate::relative::RelativeFilm;
 use crate::series::{SeriesTerms, both_series_terms};
-use pavo_shade::{Lanes, Real, Scalar, Value, Vector, shade};
+use pavo_shade::{Lanes, Real, Scalar, Value, shade};
 
 /// One pole of the sensitivities: `weight e^((i angular_wave_number - decay) D)`, `D` in nm.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -74,19 +75,22 @@ fn order_sum<R: Real>(terms: SeriesTerms<R>, cosine: R, sine: R, names: [&str; 3
 
 /// Reflectance of the film by poles, all orders.
 pub fn poles_reflectance<S: Scalar, R: Lanes<S> + Value<Leaf = S::Leaf>>(
+    precision: Precision,
     poles: &[Pole],
     film: RelativeFilm<R>,
     opd_nm: S,
 ) -> S::Vec3 {
     let [s, p] = both_series_terms(film);
     let average = R::lit(1.0) - (s.transmittance + p.transmittance) * R::lit(0.5);
-    let mut color = average.into_vec3();
+    let mut color = precision.sum(average.into_vec3());
     for pole in poles {
         let omega = S::lit(pole.angular_wave_number);
         let resonance = pole_resonance::<S, R>(s, p, opd_nm, omega, S::lit(pole.decay)).named("resonance");
-        let weighted = S::Vec3::lit3(pole.weight_re) * resonance.re.into_vec3()
-            - S::Vec3::lit3(pole.weight_im) * resonance.im.into_vec3();
-        color = (color - weighted).named("color");
+        let weighted = precision.sum(
+            precision.weighted::<S>(pole.weight_re, resonance.re.into_vec3())
+                - precision.weighted::<S>(pole.weight_im, resonance.im.into_vec3()),
+        );
+        color = precision.sum(color - weighted).named("color");
     }
     color
 }

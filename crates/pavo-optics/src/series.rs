@@ -8,6 +8,7 @@
 //! where `D` is the optical path difference and `S_j` the Fourier transform of the sensitivity of channel j over the
 //! wave number, `S_j(0) = 1`. It is the main result of Belcour and Barla 2017 with `C_0 = 1 - Q`, `C_m = -Q b^m`.
 
+use crate::precision::Precision;
 use crate::relative::{RelativeFilm, RelativeWaves};
 use pavo_shade::{Lanes, Real, Scalar, Value, Vector, shade};
 
@@ -71,6 +72,7 @@ pub fn both_series_terms<R: Real>(film: RelativeFilm<R>) -> [SeriesTerms<R>; 2] 
 
 /// Reflectance of the film by the series, up to an order.
 pub fn series_reflectance<S: Scalar, R: Lanes<S> + Value<Leaf = S::Leaf>>(
+    precision: Precision,
     order: usize,
     fit: &GaussianFit,
     film: RelativeFilm<R>,
@@ -78,7 +80,7 @@ pub fn series_reflectance<S: Scalar, R: Lanes<S> + Value<Leaf = S::Leaf>>(
 ) -> S::Vec3 {
     let [s, p] = both_series_terms(film);
     let average = R::lit(1.0) - (s.transmittance + p.transmittance) * R::lit(0.5);
-    let mut color = average.into_vec3();
+    let mut color = precision.sum(average.into_vec3());
     let amplitudes = order_amplitudes(order, s, p);
     let opd_squared = (opd_nm * opd_nm).named("opd_squared");
     for term in &fit.terms {
@@ -99,7 +101,7 @@ pub fn series_reflectance<S: Scalar, R: Lanes<S> + Value<Leaf = S::Leaf>>(
             let damping = powers_of_square(gaussian, order, "gaussian");
             order_sum(&amplitudes, damping, multiples(cosine, sine, order))
         };
-        color = (color - S::Vec3::lit3(term.weight) * wave).named("color");
+        color = precision.sum(color - precision.weighted::<S>(term.weight, wave)).named("color");
     }
     color
 }

@@ -2,6 +2,7 @@
 
 use crate::airy::airy_reflectance;
 use crate::film::{BaseKind, Film, FilmTerms, FilmWave, Media, film_terms};
+use crate::precision::Precision;
 use core::f64::consts::TAU;
 use pavo_shade::{Lanes, Real, Scalar, Value, Vector, shade};
 
@@ -27,16 +28,16 @@ impl SpectralNode {
 
 /// Reflectance of a film whose media do not depend on the wavelength.
 pub fn spectral_reflectance<S: Scalar, R: Lanes<S> + Value<Leaf = S::Leaf>>(
-    total_reflection: bool,
+    film: &Film,
     nodes: &[SpectralNode],
     terms: FilmTerms<R>,
     wave: FilmWave<S>,
     path_nm: S,
 ) -> S::Vec3 {
     let q2_squared = R::from_scalar(wave.q2_squared);
-    weighted(nodes, |node| {
+    weighted_in(film.precision, nodes, |node| {
         let phase = R::from_scalar(path_nm * S::lit(node.wave_number()));
-        airy_reflectance(total_reflection, terms.s, terms.p, q2_squared, phase).into_vec3()
+        airy_reflectance(film.total_reflection, terms.s, terms.p, q2_squared, phase).into_vec3()
     })
 }
 
@@ -51,7 +52,7 @@ pub fn dispersive_reflectance<S: Scalar, R: Lanes<S> + Value<Leaf = S::Leaf>>(
 ) -> S::Vec3 {
     let Media { cos_theta1, ambient_ior, film_ior } = media;
     let (total_reflection, base) = (film.total_reflection, film.base);
-    weighted(nodes, |node| {
+    weighted_in(film.precision, nodes, |node| {
         let wave_number = S::lit(node.wave_number());
         let [base_ior, base_kappa] = node.base.map_or(base_index, |(ior, kappa)| [R::lit(ior), R::lit(kappa)]);
         let reflectance = match node.film {
@@ -162,9 +163,19 @@ pub fn node_reflectance<S: Scalar, R: Lanes<S> + Value<Leaf = S::Leaf>>(
 
 /// The sum of a reflectance over the nodes, each times its weight.
 pub fn weighted<V: Vector<S>, S: Real>(nodes: &[SpectralNode], reflectance: impl Fn(&SpectralNode) -> V) -> V {
+    weighted_in(Precision::FULL, nodes, reflectance)
+}
+
+/// The same, held in half precision where that is asked for.
+fn weighted_in<V: Vector<S>, S: Real>(
+    precision: Precision,
+    nodes: &[SpectralNode],
+    reflectance: impl Fn(&SpectralNode) -> V,
+) -> V {
     let mut color = V::lit(0.0);
     for node in nodes {
-        color = (color + reflectance(node) * V::lit3(node.weight)).named("color");
+        let weighted = precision.sum(precision.sum(reflectance(node)) * precision.sum(V::lit3(node.weight)));
+        color = precision.sum(color + weighted).named("color");
     }
     color
 }

@@ -11,6 +11,7 @@
 //! one quotient a node. Equally spaced phases follow from two of them by a recurrence.
 
 use crate::film::BaseKind;
+use crate::precision::Precision;
 use crate::relative::{RelativeFilm, RelativeWaves};
 use pavo_shade::{Lanes, Real, Scalar, Value, Vector, shade};
 
@@ -147,6 +148,8 @@ pub struct NodeQuotient<R: Real> {
 pub struct WindowedFilm<R: Real> {
     /// What does not depend on the phase: `1 - sum_pol Q (1 - kappa) / 2`.
     pub rest: R,
+    /// What the nodes of a channel come to on average over the phase: `sum_pol kappa Q / 2`.
+    pub mean: R,
     /// Both polarisations on a real base; 0 on a complex one.
     pub both: NodeQuotient<R>,
     /// s polarisation on a complex base; 0 on a real one.
@@ -177,26 +180,36 @@ impl<R: Real> WindowedFilm<R> {
             let s = real_kernel(film.s, damping, lanes(g_squared)).named("kernel_s");
             let p = real_kernel(film.p, damping, lanes(g_squared)).named("kernel_p");
             let rest = lanes((S::lit(2.0) - S::lit(2.0) * g_squared).named("closed"));
-            let rest = (R::lit(1.0) + (s.transmittance + p.transmittance) * rest).named("rest");
-            Self { rest, both: NodeQuotient::new(s, p), s: no_terms, p: no_terms }
+            let transmittance = s.transmittance + p.transmittance;
+            let rest = (R::lit(1.0) + transmittance * rest).named("rest");
+            let mean = (R::lit(2.0) * transmittance).named("mean");
+            Self { rest, mean, both: NodeQuotient::new(s, p), s: no_terms, p: no_terms }
         } else {
             let s = complex_kernel(film.s, damping, lanes(g_squared)).named("kernel_s");
             let p = complex_kernel(film.p, damping, lanes(g_squared)).named("kernel_p");
             let rest = (S::lit(2.0) / g_squared - S::lit(2.0)).named("rest");
-            let rest = R::lit(1.0) + (s.transmittance + p.transmittance) * lanes(rest);
+            let transmittance = s.transmittance + p.transmittance;
+            let rest = R::lit(1.0) + transmittance * lanes(rest);
+            let mean = (transmittance * lanes(S::lit(2.0) / g_squared)).named("mean");
             let both = NodeQuotient { top_0: none, top_1: none, bottom_0: none, bottom_1: none, bottom_2: none };
             let terms =
                 |kernel: ComplexKernel<R>| NodeTerms { offset: kernel.offset, even: kernel.cosine, odd: kernel.sine };
-            Self { rest, both, s: terms(s), p: terms(p) }
+            Self { rest, mean, both, s: terms(s), p: terms(p) }
         }
     }
 
     /// Half of what a node of weight 1 contributes, by what its phase gives.
-    pub fn node(&self, phase: Phase<R>) -> R {
+    pub fn node(&self, precision: Precision, phase: Phase<R>) -> R {
         match phase {
-            Phase::HalfSineSquared(square) => self.both.at(square),
-            Phase::Wave(wave) => node([self.s, self.p].map(|terms| terms.denominator(wave))),
+            Phase::HalfSineSquared(square) => self.both.at(precision, square),
+            Phase::Wave(wave) => node(precision, [self.s, self.p].map(|terms| terms.denominator(wave))),
         }
+    }
+
+    /// What the nodes are subtracted from, and what is taken from each node first. In half precision that is their mean:
+    /// where the window closes, nodes and rest are several times what is left of them.
+    pub(crate) fn rest_and_centre(&self, precision: Precision) -> (R, Option<R>) {
+        if precision.sums { ((self.rest - self.mean).named("rest"), Some(self.mean)) } else { (self.rest, None) }
     }
 }
 
@@ -219,9 +232,9 @@ impl<R: Real> NodeQuotient<R> {
         }
     }
 
-    fn at(&self, x: R) -> R {
+    fn at(&self, precision: Precision, x: R) -> R {
         let bottom = self.bottom_0 + (self.bottom_1 + self.bottom_2 * x) * x;
-        ((self.top_0 + self.top_1 * x) / bottom).named("node")
+        precision.node((self.top_0 + self.top_1 * x) / bottom).named("node")
     }
 }
 
@@ -232,8 +245,9 @@ impl<R: Real> NodeTerms<R> {
 }
 
 /// A node by the denominators of both polarisations.
-fn node<R: Real>([s, p]: [R; 2]) -> R {
-    (R::lit(1.0) / s + R::lit(1.0) / p).named("node")
+fn node<R: Real>(precision: Precision, [s, p]: [R; 2]) -> R {
+    let reciprocal = |denominator: R| precision.node(R::lit(1.0) / precision.node(denominator));
+    precision.node(reciprocal(s) + reciprocal(p)).named("node")
 }
 
 /// What a node needs of its phase.
@@ -260,21 +274,27 @@ pub(crate) fn closing<S: Scalar>(width_nm: f64, path_nm: S) -> [S; 2] {
     [g, (g * g).max(S::lit(0.1)).named("window_squared")]
 }
 
-/// The colour of a film by the nodes of a window: `rest`, less what they contribute.
+/// The colour of a film by the nodes of a window: a rest, less what they contribute beyond a centre.
 pub(crate) fn color_of_nodes<S: Scalar, R: Lanes<S> + Value<Leaf = S::Leaf>>(
+    precision: Precision,
     nodes: impl IntoIterator<Item = R>,
     weights: &[[f64; 3]],
-    rest: S::Vec3,
+    (rest, centre): (S::Vec3, Option<R>),
 ) -> S::Vec3 {
-    let weighted = nodes
-        .into_iter()
-        .zip(weights)
-        .map(|(node, weight)| S::Vec3::lit3(weight.map(|weight| 2.0 * weight)) * node.into_vec3());
+    let nodes = nodes.into_iter().zip(weights);
+    if let Some(centre) = centre {
+        return nodes.fold(rest, |color, (node, weight)| {
+            let contribution = precision.sum(R::lit(2.0) * node - centre).named("contribution");
+            precision.sum(color - precision.weighted::<S>(*weight, contribution.into_vec3())).named("color")
+        });
+    }
+    let weighted = nodes.map(|(node, weight)| S::Vec3::lit3(weight.map(|weight| 2.0 * weight)) * node.into_vec3());
     weighted.fold(rest, |color, node| (color - node).named("color"))
 }
 
 /// Reflectance of the film by equally spaced wave numbers under a window, all orders, at the optical path of one pass.
 pub fn windowed_reflectance<S: Scalar, R: Lanes<S> + Value<Leaf = S::Leaf>>(
+    precision: Precision,
     window: &Window,
     base: BaseKind,
     film: RelativeFilm<R>,
@@ -282,12 +302,16 @@ pub fn windowed_reflectance<S: Scalar, R: Lanes<S> + Value<Leaf = S::Leaf>>(
 ) -> S::Vec3 {
     let film = WindowedFilm::new(window.width_nm, base, film, path_nm);
     let nodes: Vec<R> = if base.is_real() {
-        phases(window, base, path_nm).into_iter().map(|phase| film.node(phase.map(R::from_scalar))).collect()
+        let phases = phases(window, base, path_nm).into_iter();
+        phases.map(|phase| film.node(precision, phase.map(R::from_scalar))).collect()
     } else {
         let s = denominators(window, film.s, path_nm, "denominator_s");
-        s.into_iter().zip(denominators(window, film.p, path_nm, "denominator_p")).map(|(s, p)| node([s, p])).collect()
+        let p = denominators(window, film.p, path_nm, "denominator_p");
+        s.into_iter().zip(p).map(|(s, p)| node(precision, [s, p])).collect()
     };
-    color_of_nodes(nodes, &window.weights, film.rest.into_vec3())
+    let (rest, centre) = film.rest_and_centre(precision);
+    let rest = precision.sum(rest.into_vec3());
+    color_of_nodes(precision, nodes, &window.weights, (rest, centre))
 }
 
 /// The denominator at each node on a complex base. Like its cosines it follows from two by a recurrence:

@@ -136,6 +136,10 @@ impl<const N: usize> Real for Dual<N> {
     fn floor(self) -> Self {
         Self::lit(self.value.floor())
     }
+    fn half(self) -> Self {
+        // The derivative is that of what is rounded.
+        self.chain(self.value.half(), 1.0)
+    }
     fn min(self, other: Self) -> Self {
         // Of a number and none it is the number, as for f64.
         if other.value < self.value || self.value.is_nan() { other } else { self }

@@ -302,6 +302,10 @@ impl<'g> Real for Expr<'g> {
         self.unary(UnaryOp::Fract)
     }
     #[track_caller]
+    fn half(self) -> Self {
+        self.unary(UnaryOp::Half)
+    }
+    #[track_caller]
     fn min(self, other: Self) -> Self {
         self.binary(BinaryOp::Min, other)
     }

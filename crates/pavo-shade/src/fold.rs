@@ -76,6 +76,7 @@ pub(crate) fn evaluate_unary(op: UnaryOp, x: f64) -> f64 {
         UnaryOp::Abs => x.abs(),
         UnaryOp::Floor => x.floor(),
         UnaryOp::Fract => x - x.floor(),
+        UnaryOp::Half => crate::real::Real::half(x),
         UnaryOp::Normalize | UnaryOp::Not => unreachable!("not an operation on a number"),
     }
 }
@@ -101,7 +102,7 @@ pub(crate) fn unary<'g>(op: UnaryOp, x: Expr<'g>) -> Option<Expr<'g>> {
     let (graph, inner, id) = x.op()?;
     match (op, inner) {
         (UnaryOp::Negate, Op::Unary(UnaryOp::Negate, index)) => Some(node(graph, id, index)),
-        (UnaryOp::Abs, Op::Unary(UnaryOp::Abs, _)) => Some(x),
+        (UnaryOp::Abs, Op::Unary(UnaryOp::Abs, _)) | (UnaryOp::Half, Op::Unary(UnaryOp::Half, _)) => Some(x),
         (UnaryOp::Abs, Op::Unary(UnaryOp::Negate, index)) => Some(crate::real::Real::abs(node(graph, id, index))),
         _ => None,
     }

@@ -37,6 +37,8 @@ pub enum UnaryOp {
     Abs,
     Floor,
     Fract,
+    /// The operand held in half precision.
+    Half,
     Normalize,
     Not,
 }

@@ -94,6 +94,9 @@ impl Real for Half {
     fn floor(self) -> Self {
         Self(self.0.floor())
     }
+    fn half(self) -> Self {
+        self
+    }
     fn min(self, other: Self) -> Self {
         Self(self.0.min(other.0))
     }

@@ -66,6 +66,10 @@
 //!
 //! [`evaluate`] computes a recorded program on any of them: what is emitted, and not the function that it comes from.
 //! [`evaluate_inexact`] gives its sines, cosines and exponentials errors of any size.
+//! # Half precision
+//! [`Real::half`] marks what may be held in 16 bits. On the CPU it rounds; emitted WGSL has `f16` there, GLSL 4.50
+//! `float16_t` and GLSL ES `mediump`. A sum, difference, product or quotient of numbers held so that is held so itself
+//! is one of half precision: rounding it from `f32` gives the same bits, so that the CPU says what a device does.
 
 mod bounds;
 mod dual;
@@ -97,7 +101,7 @@ pub use expr::{Expr, ExprMask};
 pub use function::{FunctionInfo, Input, ParameterInfo, Rate};
 pub use graph::{BinaryOp, Comparison, Graph, Node, NodeId, Op, Type, UnaryOp};
 pub use half::Half;
-pub use operations::Operations;
+pub use operations::{Operations, is_held_in_half, is_in_half};
 pub use pavo_shade_macros::shade;
 pub use program::{Definition, Output, Parameter, Program, ReturnValue, operands};
 pub use rates::{LEAST_SAVED, OperationsByRate, PREPARED_SURFACE, Prepared, Split, Stages, split, stages};

@@ -1,5 +1,6 @@
 //! Plain numbers as instances of [`Real`]: `f32`, `f64`, and glam's vectors of them.
 
+use crate::half::Half;
 use crate::real::{Lanes, Mask, Real, Scalar, Vector};
 use crate::table::Table;
 use crate::value::{LeafInfo, Value, join};
@@ -77,6 +78,10 @@ macro_rules! native_scalar {
             #[inline(always)]
             fn floor(self) -> Self {
                 <$scalar>::floor(self)
+            }
+            #[inline(always)]
+            fn half(self) -> Self {
+                f64::from(Half::new(f64::from(self))) as $scalar
             }
             #[inline(always)]
             fn min(self, other: Self) -> Self {
@@ -172,6 +177,10 @@ macro_rules! native_scalar {
             #[inline(always)]
             fn floor(self) -> Self {
                 <$vector>::floor(self)
+            }
+            #[inline(always)]
+            fn half(self) -> Self {
+                each(self, Real::half)
             }
             #[inline(always)]
             fn min(self, other: Self) -> Self {

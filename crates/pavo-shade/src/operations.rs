@@ -2,6 +2,7 @@
 
 use crate::graph::{BinaryOp, Node, Op, Type, UnaryOp};
 use crate::program::{Definition, Program};
+use crate::real::Real;
 use core::ops::Add;
 
 /// Operations by what they cost. A vector counts for three.
@@ -56,6 +57,56 @@ impl Program {
     }
 }
 
+impl Program {
+    /// Those of [`Program::operations`] that are done in half precision, where a language has it.
+    pub fn operations_in_half(&self) -> Operations {
+        let in_half = |function: &Definition, callees: &[Operations]| {
+            let of = |node: &Node| match node.op {
+                Op::Unary(UnaryOp::Half, operand) if is_in_half(function, operand) => {
+                    of_node(&function.nodes[operand as usize], callees)
+                }
+                Op::Call(callee, _) => callees[callee as usize],
+                _ => Operations::default(),
+            };
+            function.nodes.iter().map(of).fold(Operations::default(), Add::add)
+        };
+        let mut known: Vec<Operations> = Vec::new();
+        for function in self.functions() {
+            let operations = in_half(function, &known);
+            known.push(operations);
+        }
+        in_half(self.body(), &known)
+    }
+
+    /// Whether anything is held in half precision.
+    pub fn has_half(&self) -> bool {
+        let nodes = self.functions().iter().chain([self.body()]).flat_map(|function| &function.nodes);
+        nodes.into_iter().any(|node| matches!(node.op, Op::Unary(UnaryOp::Half, _)))
+    }
+}
+
+/// Whether a value that is held in half precision is also computed in it: a sum, difference, product or quotient of
+/// numbers that are held so. In `f32`, rounded afterwards, it has the same bits.
+pub fn is_in_half(function: &Definition, index: u32) -> bool {
+    match function.nodes[index as usize].op {
+        Op::Binary(BinaryOp::Add | BinaryOp::Subtract | BinaryOp::Multiply | BinaryOp::Divide, a, b) => {
+            [a, b].into_iter().all(|operand| is_held_in_half(function, operand))
+        }
+        _ => false,
+    }
+}
+
+/// Whether a value has no more bits than half precision: it is held in it, or a literal that it has.
+pub fn is_held_in_half(function: &Definition, index: u32) -> bool {
+    let has = |bits: u64| f64::from_bits(bits).half().to_bits() == bits;
+    match function.nodes[index as usize].op {
+        Op::Unary(UnaryOp::Half, _) => true,
+        Op::Literal(bits) => has(bits),
+        Op::Literal3(bits) => bits.into_iter().all(has),
+        _ => false,
+    }
+}
+
 /// The operations of a definition, given those of the functions that it may call.
 fn count(function: &Definition, callees: &[Operations]) -> Operations {
     function.nodes.iter().map(|node| of_node(node, callees)).fold(Operations::default(), Add::add)
@@ -83,7 +134,7 @@ pub(crate) fn of_node(node: &Node, callees: &[Operations]) -> Operations {
         | Op::Splat(_)
         | Op::Component(..)
         | Op::Result(..)
-        | Op::Unary(UnaryOp::Negate, _) => Operations::default(),
+        | Op::Unary(UnaryOp::Negate | UnaryOp::Half, _) => Operations::default(),
         Op::Call(callee, _) => callees[callee as usize],
         Op::Unary(UnaryOp::Sqrt | UnaryOp::InverseSqrt, _) | Op::Binary(BinaryOp::Divide, ..) => {
             Operations { roots: width, ..Operations::default() }

@@ -47,6 +47,11 @@ pub trait Real:
     fn abs(self) -> Self;
     /// The largest whole number that is not larger.
     fn floor(self) -> Self;
+    /// The number held in half precision: rounded to the nearest number of IEEE 754 binary16, infinite beyond 65504.
+    ///
+    /// An operation on numbers held so whose result is held so again is one of half precision in emitted code, where
+    /// the language has it; elsewhere nothing is rounded.
+    fn half(self) -> Self;
     /// The smaller of two numbers.
     fn min(self, other: Self) -> Self;
     /// The larger of two numbers.

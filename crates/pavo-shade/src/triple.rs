@@ -132,6 +132,9 @@ impl<S: Real<Mask = bool> + Value<Leaf = S>> Real for Triple<S> {
     fn floor(self) -> Self {
         self.each(S::floor)
     }
+    fn half(self) -> Self {
+        self.each(S::half)
+    }
     fn min(self, other: Self) -> Self {
         Self(self.zip(other, S::min))
     }

@@ -71,3 +71,23 @@ fn each_operation_is_rounded() {
         assert_eq!(f64::from(found), expected, "{name}");
     }
 }
+
+#[test]
+fn single_precision_rounded_to_half_is_half_precision() {
+    // Every 61st number beside every 1009th, both signs.
+    let some = |step: usize| (0..31_u16 << 10).step_by(step).flat_map(|bits| [number(bits), -number(bits)]);
+    for a in some(61) {
+        for b in some(1009) {
+            let [x, y] = [a as f32, b as f32];
+            for (single, half, operator) in [
+                (x + y, Half::new(a) + Half::new(b), '+'),
+                (x - y, Half::new(a) - Half::new(b), '-'),
+                (x * y, Half::new(a) * Half::new(b), '*'),
+                (x / y, Half::new(a) / Half::new(b), '/'),
+            ] {
+                let (single, half) = (single.half(), f64::from(half) as f32);
+                assert!(single == half || single.is_nan() && half.is_nan(), "{a} {operator} {b}: {single}, not {half}");
+            }
+        }
+    }
+}

@@ -9,7 +9,8 @@ use crate::scene::{self, Base, ColourQuantity, FilmMedium, Quantity, Scene, Visi
 use crate::variant::{FresnelForm, Variant};
 use pavo_optics::surface::{brdf_of_reflectance, shade_surface, surface_brdf, surface_radiance, surface_reflectance};
 use pavo_optics::{
-    BaseKind, Directions, Film, Finish, Geometry, Layers, Light, Method, Specular, Surface, light::punctual_light,
+    BaseKind, Directions, Film, Finish, Geometry, Layers, Light, Method, Precision, Specular, Surface,
+    light::punctual_light,
 };
 use pavo_shade::{
     Dual, Graph, Input, LeftOut, Program, Rate, Scalar, Split, Stages, Vector, specialise, split, stages,
@@ -112,6 +113,11 @@ impl Shading {
         if let Some(specular) = fixed_film::specular(&shading, cache)? {
             shading.surface.specular = specular;
         }
+        if scene.emit.precision == scene::Precision::Half
+            && let Some(film) = film_of(&mut shading.surface.specular)
+        {
+            film.precision = Precision::half(&film.method);
+        }
         Ok(shading)
     }
 
@@ -155,6 +161,21 @@ impl Shading {
     /// The smallest and the largest thickness of the film, nm.
     pub(crate) fn thickness_nm(&self) -> Option<[f64; 2]> {
         self.scene.film.as_ref().map(|film| [film.thickness_nm.low(), film.thickness_nm.high()])
+    }
+
+    /// The same surface with these parts in half precision; methods that are no sum stay as they are.
+    #[must_use]
+    pub fn with_precision(&self, precision: Precision) -> Self {
+        let mut shading = self.clone();
+        if let Some(film) = film_of(&mut shading.surface.specular) {
+            film.precision = precision;
+        }
+        shading
+    }
+
+    /// The parts in half precision.
+    pub fn precision(&self) -> Precision {
+        film_of(&mut self.surface.specular.clone()).map_or(Precision::FULL, |film| film.precision)
     }
 
     /// What should be said of the data: where they do not reach over the visible range.
@@ -522,6 +543,7 @@ fn specular(scene: &Scene, request: &MethodRequest<'_>) -> Result<Specular, Meth
         total_reflection: film_index(film, request.film).low() < scene.ambient.ior.high(),
         method,
         channel_wavelengths_nm: channel_wavelengths(request.sensitivities),
+        precision: Precision::FULL,
     };
     Ok(match (&scene.base, request.base) {
         (Base::Metalness, _) => Specular::FilmOnMetalness(film),
@@ -531,6 +553,14 @@ fn specular(scene: &Scene, request: &MethodRequest<'_>) -> Result<Specular, Meth
         }
         _ => Specular::Film(film),
     })
+}
+
+/// The film that is computed by a method.
+fn film_of(specular: &mut Specular) -> Option<&mut Film> {
+    match specular {
+        Specular::Film(film) | Specular::FilmOnMetalness(film) | Specular::FilmOnChannels { film, .. } => Some(film),
+        _ => None,
+    }
 }
 
 /// The index of a film where one number stands for the spectrum: that in green light.

@@ -183,7 +183,10 @@ mod tests {
     fn other_words_are_refused_with_what_is_taken() {
         for (words, expected) in [
             ("", "name a task: the tasks are setup, demo, test, examples, fits, fuzz, peers, savings and help"),
-            ("tset", "`tset` is no task; the tasks are setup, demo, test, examples, fits, fuzz, peers, savings and help"),
+            (
+                "tset",
+                "`tset` is no task; the tasks are setup, demo, test, examples, fits, fuzz, peers, savings and help",
+            ),
             (
                 "--no-setup",
                 "cargo xtask does not take `--no-setup`; the tasks are setup, demo, test, examples, fits, fuzz, peers, savings and help",

@@ -94,6 +94,7 @@ impl Device {
     /// Compares what the module declares with the call and with the device.
     pub(super) fn check_shader(&self, shader: &ComputeShader<'_>) -> Result<(), CheckError> {
         let interface = ModuleInterface::read(shader.spirv)?;
+        self.check_precision(&interface)?;
         let entry = interface.entry_point(shader.entry, COMPUTE)?;
         let tables = (RESOURCES.len() as u32..).take(shader.tables.len()).map(|binding| (0, binding));
         interface.check_resources(&RESOURCES.into_iter().chain(tables).collect::<Vec<_>>())?;

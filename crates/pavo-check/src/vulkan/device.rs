@@ -7,6 +7,7 @@ use serde::Serialize;
 
 use super::driver::{Driver, failure, version_text};
 use super::environment;
+use super::module_interface::ModuleInterface;
 use super::owned::Owned;
 use crate::CheckError;
 use crate::install::LAVAPIPE;
@@ -47,6 +48,7 @@ pub struct Device {
     queue: Mutex<vk::Queue>,
     queue_family: u32,
     description: DeviceDescription,
+    has_half_precision: bool,
     // The last field, as it is dropped last: the instance outlives its devices.
     _driver: Driver,
 }
@@ -101,6 +103,23 @@ impl Device {
         &self.description
     }
 
+    /// Whether shaders can compute in half precision, the feature `shaderFloat16`.
+    pub fn has_half_precision(&self) -> bool {
+        self.has_half_precision
+    }
+
+    /// Refuses a module in half precision where the device has none.
+    pub(super) fn check_precision(&self, interface: &ModuleInterface) -> Result<(), CheckError> {
+        if !interface.has_half_precision || self.has_half_precision {
+            return Ok(());
+        }
+        Err(CheckError::Missing {
+            what: format!("half precision in shaders (shaderFloat16) on {}", self.description),
+            install: "take another device, or leave `precision = \"half\"` out of the scene".to_owned(),
+            found: None,
+        })
+    }
+
     fn open(
         driver: Driver,
         fits: impl Fn(&DeviceDescription) -> bool,
@@ -130,7 +149,8 @@ impl Device {
         let limits = properties.properties.limits;
         let memory = unsafe { instance.get_physical_device_memory_properties(physical_device) };
 
-        // Wide types are switched on where the device has them; everything else stays off.
+        let has_half_precision = half_precision(instance, physical_device)?;
+        // Other types are switched on where the device has them; everything else stays off.
         let available = unsafe { instance.get_physical_device_features(physical_device) };
         let features = vk::PhysicalDeviceFeatures {
             shader_float64: available.shader_float64,
@@ -140,7 +160,13 @@ impl Device {
         let priorities = [1.0];
         let queues =
             [vk::DeviceQueueCreateInfo::default().queue_family_index(queue_family).queue_priorities(&priorities)];
-        let information = vk::DeviceCreateInfo::default().queue_create_infos(&queues).enabled_features(&features);
+        let mut half_precision =
+            vk::PhysicalDeviceShaderFloat16Int8Features::default().shader_float16(has_half_precision);
+        let extensions = [ash::khr::shader_float16_int8::NAME.as_ptr()];
+        let mut information = vk::DeviceCreateInfo::default().queue_create_infos(&queues).enabled_features(&features);
+        if has_half_precision {
+            information = information.enabled_extension_names(&extensions).push_next(&mut half_precision);
+        }
         let device = unsafe { instance.create_device(physical_device, &information, None) }
             .map_err(|result| failure("open the device", result))?;
         let queue = Mutex::new(unsafe { device.get_device_queue(queue_family, 0) });
@@ -154,6 +180,7 @@ impl Device {
             queue,
             queue_family,
             description,
+            has_half_precision,
             _driver: driver,
         })
     }
@@ -218,6 +245,23 @@ impl Drop for Device {
             self.device.destroy_device(None);
         }
     }
+}
+
+/// Whether a device has the extension for half precision in shaders, and the feature.
+fn half_precision(instance: &ash::Instance, device: vk::PhysicalDevice) -> Result<bool, CheckError> {
+    // SAFETY: the instance is alive and the physical device is one of its own, here and below.
+    let extensions = unsafe { instance.enumerate_device_extension_properties(device) }
+        .map_err(|result| failure("list the extensions of the device", result))?;
+    let is_it = |extension: &vk::ExtensionProperties| {
+        extension.extension_name_as_c_str() == Ok(ash::khr::shader_float16_int8::NAME)
+    };
+    if !extensions.iter().any(is_it) {
+        return Ok(false);
+    }
+    let mut half = vk::PhysicalDeviceShaderFloat16Int8Features::default();
+    let mut features = vk::PhysicalDeviceFeatures2::default().push_next(&mut half);
+    unsafe { instance.get_physical_device_features2(device, &mut features) };
+    Ok(half.shader_float16 == vk::TRUE)
 }
 
 /// Creates a shader module of words that `module_interface` has looked through.

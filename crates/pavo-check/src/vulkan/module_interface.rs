@@ -1,7 +1,7 @@
 //! Reads what a SPIR-V module declares, to compare it with what this crate provides before a driver sees it.
 //!
 //! The numbers are those of the SPIR-V specification (Khronos, version 1.3): section 2.3 for the layout of a module, 3.3
-//! for execution models, 3.6 for execution modes, 3.7 for storage classes, 3.20 for decorations, 3.32 for instructions.
+//! for execution models, 3.31 for capabilities, 3.6 for execution modes, 3.7 for storage classes, 3.20 for decorations, 3.32 for instructions.
 
 use crate::CheckError;
 
@@ -9,6 +9,8 @@ const MAGIC_NUMBER: u32 = 0x0723_0203;
 const HEADER_WORDS: usize = 5;
 
 pub(super) const OP_ENTRY_POINT: u32 = 15;
+const OP_CAPABILITY: u32 = 17;
+const CAPABILITY_FLOAT16: u32 = 9;
 const OP_EXECUTION_MODE: u32 = 16;
 pub(super) const OP_VARIABLE: u32 = 59;
 pub(super) const OP_DECORATE: u32 = 71;
@@ -41,6 +43,8 @@ pub(super) struct ModuleInterface {
     /// Pairs of descriptor set and binding, in ascending order.
     resources: Vec<(u32, u32)>,
     has_push_constants: bool,
+    /// Whether it computes in half precision.
+    pub has_half_precision: bool,
 }
 
 impl ModuleInterface {
@@ -62,6 +66,7 @@ impl ModuleInterface {
                         .filter(|entry| entry.id == id)
                         .for_each(|entry| entry.local_size = Some([x, y, z]));
                 }
+                (OP_CAPABILITY, &[CAPABILITY_FLOAT16]) => interface.has_half_precision = true,
                 (OP_VARIABLE, &[_, _, STORAGE_CLASS_PUSH_CONSTANT, ..]) => interface.has_push_constants = true,
                 (OP_DECORATE, &[id, DECORATION_DESCRIPTOR_SET, set]) => sets.push((id, set)),
                 (OP_DECORATE, &[id, DECORATION_BINDING, binding]) => bindings.push((id, binding)),

@@ -41,6 +41,7 @@ impl Device {
             [(shaders.vertex, shaders.vertex_entry, VERTEX), (shaders.fragment, shaders.fragment_entry, FRAGMENT)]
         {
             let interface = ModuleInterface::read(module)?;
+            self.check_precision(&interface)?;
             interface.entry_point(entry, model)?;
             interface.check_resources(&[])?;
         }

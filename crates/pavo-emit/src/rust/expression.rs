@@ -32,7 +32,7 @@ impl Expressions<'_> {
     pub(crate) fn in_rust(&self, node: &Node) -> Option<(String, Binding)> {
         let is_vector = node.ty == Type::Vec3;
         let written = match node.op {
-            Op::Unary(UnaryOp::Negate | UnaryOp::Not, _) => return None,
+            Op::Unary(UnaryOp::Negate | UnaryOp::Not | UnaryOp::Half, _) => return None,
             Op::Unary(UnaryOp::InverseSqrt, x) => {
                 let root = if is_vector { "map(f32::sqrt)" } else { "sqrt()" };
                 (format!("1.0 / {}.{root}", self.receiver(x)), Binding::Product)
@@ -143,6 +143,8 @@ fn method(op: UnaryOp, is_vector: bool) -> &'static str {
         (UnaryOp::Fract, false) => "rem_euclid(1.0)",
         (UnaryOp::Fract, true) => "fract_gl()",
         (UnaryOp::Normalize, _) => "normalize()",
-        (UnaryOp::InverseSqrt | UnaryOp::Negate | UnaryOp::Not, _) => unreachable!("they are no methods"),
+        (UnaryOp::InverseSqrt | UnaryOp::Negate | UnaryOp::Not | UnaryOp::Half, _) => {
+            unreachable!("they are no methods")
+        }
     }
 }

@@ -10,7 +10,7 @@ mod basis;
 mod error;
 
 use pavo_optics::film::film_reflectance;
-use pavo_optics::{BaseKind, Film, Method, Window, WindowGroup};
+use pavo_optics::{BaseKind, Film, Method, Precision, Window, WindowGroup};
 use pavo_spectra::fits::{FitFamily, SensitivityFit, built_in};
 use pavo_spectra::{OpticalConstants, Point, Reference, Sensitivities, Stack};
 use rayon::prelude::*;
@@ -144,6 +144,7 @@ impl GroupsRequest<'_> {
             method: fit.method(),
             // Without total reflection they are not used.
             channel_wavelengths_nm: [error::GREEN_NM; 3],
+            precision: Precision::FULL,
         };
         let [(film_ior, _), (ior, kappa)] = [&self.film, &self.base].map(|medium| medium.extended_at(error::GREEN_NM));
         let [ambient_ior, film_ior, ior, kappa] = [self.ambient_ior, film_ior, ior, kappa].map(|number| number as f32);

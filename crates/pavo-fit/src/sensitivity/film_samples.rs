@@ -1,7 +1,7 @@
 //! Points of films with their exact reflectance: what windowed nodes are fitted to, and what every fit is judged by.
 
 use pavo_optics::film::film_reflectance;
-use pavo_optics::{BaseKind, Film};
+use pavo_optics::{BaseKind, Film, Precision};
 use pavo_spectra::fits::SensitivityFit;
 use pavo_spectra::{OpticalConstants, Point, Reference, Sensitivities, Stack};
 
@@ -53,7 +53,13 @@ impl FilmSamples {
         let method = closed_form(fit)?;
         // Without total reflection the channels' wavelengths are not used.
         let channel_wavelengths_nm = [555.0; 3];
-        let mut film = Film { base: BaseKind::Conductor, total_reflection: false, method, channel_wavelengths_nm };
+        let mut film = Film {
+            base: BaseKind::Conductor,
+            total_reflection: false,
+            method,
+            channel_wavelengths_nm,
+            precision: Precision::FULL,
+        };
         let (mut max, mut sum) = (0.0f64, 0.0);
         for ((media, place), exact) in self.points.iter().zip(&self.values) {
             film.base = media.base_kind();

@@ -5,7 +5,7 @@
 
 use num_complex::Complex64;
 use pavo_optics::film::film_reflectance;
-use pavo_optics::{BaseKind, Film, GaussianFit, GaussianTerm, Method, Pole, SpectralNode, Window};
+use pavo_optics::{BaseKind, Film, GaussianFit, GaussianTerm, Method, Pole, Precision, SpectralNode, Window};
 use std::f64::consts::TAU;
 
 /// SplitMix64: Steele, Lea and Flood 2014, "Fast splittable pseudorandom number generators".
@@ -142,7 +142,7 @@ pub fn series_at_wavelength(wavelength_nm: f64, order: usize) -> Method {
 
 /// A film computed by a method.
 pub fn film(base: BaseKind, total_reflection: bool, method: Method) -> Film {
-    Film { base, total_reflection, method, channel_wavelengths_nm: [611.0, 549.0, 464.0] }
+    Film { base, total_reflection, method, channel_wavelengths_nm: [611.0, 549.0, 464.0], precision: Precision::FULL }
 }
 
 /// A base that does not reflect totally.

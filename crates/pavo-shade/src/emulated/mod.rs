@@ -170,6 +170,9 @@ impl<P: Policy> Real for Emulated<P> {
     fn floor(self) -> Self {
         Self::new(self.value.floor())
     }
+    fn half(self) -> Self {
+        Self::new(self.value.half())
+    }
     fn min(self, other: Self) -> Self {
         Self::new(self.value.min(other.value))
     }

@@ -163,6 +163,7 @@ impl<P: Precision> Domain for Interval<P> {
                 UnaryOp::Abs => x.absolute(),
                 UnaryOp::Floor => x.whole(),
                 UnaryOp::Fract => x.fraction(),
+                UnaryOp::Half => x.held_in_half(),
                 UnaryOp::Normalize => Self::normalized_component([x, rest[0], rest[1]]),
                 UnaryOp::Not => Self::new(1.0 - x.high(), 1.0 - x.low()),
             },

@@ -55,6 +55,7 @@ impl<S: Scalar<Mask = bool>> Domain for Number<S> {
                 UnaryOp::Exp => x.exp(),
                 UnaryOp::Abs => x.abs(),
                 UnaryOp::Floor => x.floor(),
+                UnaryOp::Half => x.half(),
                 UnaryOp::Fract => x.fract(),
                 UnaryOp::Normalize => {
                     let vector = S::Vec3::new(x, rest[0].0, rest[1].0);

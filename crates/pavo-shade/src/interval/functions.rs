@@ -69,6 +69,28 @@ impl<P: Precision> Interval<P> {
         Self::exact(self.low.floor(), self.high.floor(), self.defined)
     }
 
+    /// The number in half precision or better: rounded either way, below 2^-14 to 0 or not, infinite beyond 65504.
+    pub fn held_in_half(self) -> Self {
+        const SPACING: f64 = 1.0 / 1024.0;
+        const LEAST: f64 = 1.0 / 16384.0;
+        const LARGEST: f64 = 65504.0;
+        let margin = |end: f64| end.abs() * SPACING + LEAST;
+        let (mut low, mut high) = (self.low - margin(self.low), self.high + margin(self.high));
+        if self.low >= 0.0 {
+            low = low.max(0.0);
+        }
+        if self.high <= 0.0 {
+            high = high.min(0.0);
+        }
+        if low < -LARGEST {
+            low = f64::NEG_INFINITY;
+        }
+        if high > LARGEST {
+            high = f64::INFINITY;
+        }
+        Self::exact(low, high, self.defined)
+    }
+
     /// The part after the point; 1 where it was rounded up.
     pub fn fraction(self) -> Self {
         let defined = self.defined && self.low.is_finite() && self.high.is_finite();

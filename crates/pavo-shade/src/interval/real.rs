@@ -66,6 +66,9 @@ impl<P: Precision> Real for Interval<P> {
     fn floor(self) -> Self {
         self.whole()
     }
+    fn half(self) -> Self {
+        self.held_in_half()
+    }
     fn min(self, other: Self) -> Self {
         self.smaller(other)
     }
@@ -193,6 +196,9 @@ impl<P: Precision> Real for IntervalVec3<P> {
     }
     fn floor(self) -> Self {
         self.each(Interval::whole)
+    }
+    fn half(self) -> Self {
+        self.each(Interval::held_in_half)
     }
     fn min(self, other: Self) -> Self {
         self.zip(other, Interval::smaller)

@@ -245,6 +245,7 @@ pub(crate) fn operation<'g>(op: Op, facts: &[Fact], values: &[Replayed<'g>]) -> 
             UnaryOp::Abs => of(a).abs(),
             UnaryOp::Floor => of(a).floor(),
             UnaryOp::Fract => of(a).fract(),
+            UnaryOp::Half => of(a).half(),
             UnaryOp::Normalize => of(a).normalize(),
             UnaryOp::Not => unreachable!("it is no number"),
         },

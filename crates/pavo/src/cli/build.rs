@@ -5,6 +5,7 @@ use super::check::targets;
 use super::failure::Failure;
 use super::manifest::{InputRow, Manifest, PreparedRow, Rates, RunRow, Runs, TargetRow, against_reference};
 use super::output;
+use super::precision::PrecisionSection;
 use super::progress::Progress;
 use super::sources::{Emitted, Source};
 use crate::emission::library_quantity;
@@ -57,6 +58,7 @@ pub fn run(arguments: &arguments::Build) -> Result<(), Failure> {
         runs,
         against_reference: against_reference(shading, REFERENCE_POINTS)?,
         numerics: Numerics::of(shading)?,
+        precision: PrecisionSection::of(shading, REFERENCE_POINTS),
         warnings: shading.warnings(),
     };
     let folder = arguments.output.clone().unwrap_or_else(|| PathBuf::from(&shading.scene().name));
@@ -114,8 +116,10 @@ fn test_vectors(source: &Source) -> Vec<u8> {
     let quantity = ShadingQuantity::Reflectance;
     let inputs = with_cosines(source.shading.inputs(quantity), [GRAZING_COSINE, 1.0]);
     let columns: Vec<String> = inputs.iter().flat_map(column_names).collect();
+    // A number of half precision next to 1 is 1e-3 from the next, and may be rounded either way.
+    let agrees = if source.shading.precision() == pavo_optics::Precision::FULL { "2e-5" } else { "4e-3" };
     let mut text = format!(
-        "# {} of {} by {} in f64; emitted code on a 32-bit device agrees within 2e-5.\n{},r,g,b\n",
+        "# {} of {} by {} in f64; emitted code on a 32-bit device agrees within {agrees}.\n{},r,g,b\n",
         quantity.name(),
         source.shading.scene().name,
         source.shading.variant(),
@@ -192,6 +196,7 @@ fn report(folder: &Path, manifest: &Manifest<'_>, emitted: &[Emitted]) -> String
             manifest.rates.vertex.saved_per_pixel.weight()
         ));
     }
+    text.push_str(&manifest.precision.report());
     let reference = &manifest.against_reference;
     text.push_str(&needs(&manifest.numerics.needs));
     text.push_str(&format!(

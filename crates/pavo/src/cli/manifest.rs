@@ -1,5 +1,6 @@
 //! The manifest: all that is known of what was built.
 
+use super::precision::PrecisionSection;
 use super::sources::Emitted;
 use crate::emission::library_quantity;
 use crate::inputs::ShadingQuantity;
@@ -38,6 +39,8 @@ pub struct Manifest<'a> {
     pub against_reference: Difference,
     /// What the variant needs of drivers, and how it behaves as numbers.
     pub numerics: Numerics,
+    /// What is in half precision, and what that adds to the errors.
+    pub precision: PrecisionSection,
     /// What should be said of the data.
     pub warnings: Vec<String>,
 }

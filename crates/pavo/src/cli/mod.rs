@@ -17,6 +17,7 @@ mod new;
 mod output;
 mod picture;
 mod plot;
+mod precision;
 mod preview;
 mod progress;
 mod report;

@@ -48,11 +48,11 @@ pub use builder::SceneBuilder;
 pub use error::SceneError;
 pub use load::MAXIMUM_FILE_BYTES;
 pub use model::{
-    Ambient, Base, Budget, Colour, ColourQuantity, Emit, Film, FilmMedium, IlluminantSource, Lights, Quantity, Scene,
-    Surface, VisibilityK,
+    Ambient, Base, Budget, Colour, ColourQuantity, Emit, Film, FilmMedium, IlluminantSource, Lights, Precision,
+    Quantity, Scene, Surface, VisibilityK,
 };
 pub use starter::{STARTER, starter};
 pub use vocabulary::{
     DEFAULT_TARGETS, DEFAULT_VARIANT, FILM_MATERIALS, ILLUMINANTS, MAXIMUM_IDENTIFIER_LENGTH, MAXIMUM_INDEX,
-    MAXIMUM_THICKNESS_NM, METALS, MINIMUM_INDEX, OBSERVERS, RATED_INPUTS, RATES, SPACES, TARGETS,
+    MAXIMUM_THICKNESS_NM, METALS, MINIMUM_INDEX, OBSERVERS, PRECISIONS, RATED_INPUTS, RATES, SPACES, TARGETS,
 };

@@ -375,6 +375,18 @@ impl Default for Lights {
     }
 }
 
+/// How precise the numbers of the emitted code are.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "serde", serde(rename_all = "lowercase"))]
+pub enum Precision {
+    /// All in 32 bits.
+    Full,
+    /// In 16 bits where the method stands it, as IEEE 754 binary16: the weights and the sum of what the nodes, poles,
+    /// Gaussians or wavelengths add to the colour. The rest in 32 bits.
+    Half,
+}
+
 /// What is emitted, and how.
 #[derive(Clone, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
@@ -391,6 +403,8 @@ pub struct Emit {
     /// Whether what changes with the vertices, and with nothing more frequent, is computed by a function of its own and
     /// interpolated. Between the vertices that is an approximation, so that it is only done where it is asked for.
     pub vertex: bool,
+    /// How precise the numbers of the emitted code are.
+    pub precision: Precision,
 }
 
 impl Default for Emit {
@@ -402,6 +416,7 @@ impl Default for Emit {
             prefix: String::new(),
             prepare: false,
             vertex: false,
+            precision: Precision::Full,
         }
     }
 }

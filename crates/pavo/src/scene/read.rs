@@ -8,14 +8,14 @@ use toml::de::{DeTable, DeValue};
 
 use super::fault::{Checked, Fault};
 use super::model::{
-    Ambient, Base, Budget, Colour, ColourQuantity, Emit, Film, FilmMedium, IlluminantSource, Lights, Quantity, Scene,
-    Surface, VisibilityK,
+    Ambient, Base, Budget, Colour, ColourQuantity, Emit, Film, FilmMedium, IlluminantSource, Lights, Precision,
+    Quantity, Scene, Surface, VisibilityK,
 };
 use super::places::key_text;
 use super::shown::shown;
 use super::suggest::did_you_mean;
 use super::table::{Table, numbers, wrong_type};
-use super::vocabulary::{RATED_INPUTS, RATES, VISIBILITY_NAMES, WORKFLOWS};
+use super::vocabulary::{PRECISIONS, RATED_INPUTS, RATES, VISIBILITY_NAMES, WORKFLOWS};
 
 const FILM_HELP: &str =
     "a film has `ior` (or `material`, or `csv`) and `thickness_nm`; for a surface without a film leave `[film]` out";
@@ -265,5 +265,18 @@ fn read_emit(table: &Table<'_>) -> Checked<Emit> {
         prefix: table.string("prefix")?.map_or(default.prefix, str::to_owned),
         prepare: table.boolean("prepare")?.unwrap_or(default.prepare),
         vertex: table.boolean("vertex")?.unwrap_or(default.vertex),
+        precision: table.string("precision")?.map_or(Ok(default.precision), read_precision)?,
     })
+}
+
+fn read_precision(name: &str) -> Checked<Precision> {
+    match name {
+        "full" => Ok(Precision::Full),
+        "half" => Ok(Precision::Half),
+        _ => {
+            let help = did_you_mean(name, PRECISIONS, "the precisions are");
+            let message = format!("unknown precision `{}`", shown(name));
+            Err(Fault::at("emit.precision", "unknown precision", message, help))
+        }
+    }
 }

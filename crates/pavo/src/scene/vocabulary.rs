@@ -60,6 +60,9 @@ pub const RATED_INPUTS: &[&str] = &[
 /// The rates of an input: once a material, at each vertex, at each pixel.
 pub const RATES: &[&str] = &["material", "vertex", "pixel"];
 
+/// How precise the numbers of the emitted code are.
+pub const PRECISIONS: &[&str] = &["full", "half"];
+
 /// The keys before the first table.
 pub(super) const TOP_KEYS: &[&str] = &["name"];
 
@@ -74,7 +77,7 @@ pub(super) const TABLES: &[(&str, &[&str])] = &[
     ("budget", &["max_delta_e"]),
     // Its keys are names of inputs, which are checked where they are read.
     ("rates", &[]),
-    ("emit", &["targets", "variant", "prefix", "prepare", "vertex"]),
+    ("emit", &["targets", "variant", "prefix", "prepare", "vertex", "precision"]),
 ];
 
 /// Words that people write for one of ours and that no edit distance would find.
@@ -104,6 +107,10 @@ pub(super) const ALIASES: &[(&str, &str)] = &[
     ("uniform", "material"),
     ("constant", "material"),
     ("varying", "vertex"),
+    ("f32", "full"),
+    ("highp", "full"),
+    ("f16", "half"),
+    ("mediump", "half"),
     ("fragment", "pixel"),
     ("thickness", "thickness_nm"),
     ("webgl2", "essl300"),

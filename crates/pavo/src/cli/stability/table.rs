@@ -2,8 +2,8 @@
 
 use super::Failure;
 use crate::cli::command_line::quoted;
-use crate::points_table::column_names;
 use crate::inputs::ShadingQuantity;
+use crate::points_table::column_names;
 use crate::stability::{Check, Effort, Finding, Judged, Judgement, Placed, Stability};
 use pavo_check::DeviceDescription;
 use std::path::Path;

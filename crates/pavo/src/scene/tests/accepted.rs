@@ -6,8 +6,8 @@ use std::path::{Path, PathBuf};
 use pavo_shade::Rate;
 
 use crate::scene::{
-    Ambient, Base, Budget, Colour, ColourQuantity, Emit, Film, FilmMedium, IlluminantSource, Lights, Quantity, Scene,
-    Surface, VisibilityK,
+    Ambient, Base, Budget, Colour, ColourQuantity, Emit, Film, FilmMedium, IlluminantSource, Lights, Precision,
+    Quantity, Scene, Surface, VisibilityK,
 };
 
 fn read(text: &str) -> Scene {
@@ -84,6 +84,7 @@ fn a_scene_in_full_is_read_key_by_key() {
             prefix: "film_2_".to_owned(),
             prepare: true,
             vertex: true,
+            precision: Precision::Full,
         },
     };
     assert_eq!(read(text), expected);
