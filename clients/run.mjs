@@ -49,13 +49,14 @@ try {
 }
 
 const kinds = { '.html': 'text/html', '.js': 'text/javascript', '.mjs': 'text/javascript' };
+const templates = join(here, '..', 'templates');
 const page = `<!doctype html><meta charset="utf-8"><title>client</title>
 <style>body { margin: 0 } canvas { display: block }</style>
 <script type="importmap">${JSON.stringify({ imports: table.imports })}</script>`;
 const server = createServer((request, response) => {
     const path = normalize(decodeURIComponent(new URL(request.url, 'http://localhost').pathname));
     if (path === '/') return response.setHeader('content-type', 'text/html').end(page);
-    const root = path.startsWith('/node_modules/') ? packages : here;
+    const root = path.startsWith('/node_modules/') ? packages : path.startsWith('/engines/') ? templates : here;
     try {
         const body = readFileSync(join(root, path));
         return response.setHeader('content-type', kinds[extname(path)] ?? 'text/plain').end(body);
@@ -87,6 +88,9 @@ for (const client of clients) {
         { stdio: ['ignore', 'ignore', 'inherit'] });
     const code = readFileSync(join(folder, client.file), 'utf8');
     for (const device of table.devices) {
+        const flags = client.webgpu ? device.webgpu : device.flags;
+        // WebGPU is only asked for where the browser takes that device for it.
+        if (!flags) continue;
         const name = `${client.name}-${device.name}`;
         console.error(`rendering ${name}`);
         const result = { client: client.name, version: '', device: device.name, pixels: 0, max: Infinity, tolerance: device.tolerance, passed: false };
@@ -96,7 +100,7 @@ for (const client of clients) {
         try {
             browser = await chromium.launch({
                 executablePath: browserPath,
-                args: ['--no-sandbox', '--disable-quic', '--no-first-run', '--disable-background-networking', ...device.flags],
+                args: ['--no-sandbox', '--disable-quic', '--no-first-run', '--disable-background-networking', ...flags],
                 env: { ...process.env, ...device.environment },
             });
             const tab = await browser.newPage({ viewport: { width: table.size, height: table.size } });

@@ -21,7 +21,7 @@ export async function open(code, size) {
         scene.add(light);
         const material = new THREE.MeshPhysicalMaterial({
             metalness: 1, roughness: 0.3, iridescence: 1, iridescenceIOR: film_ior,
-            iridescenceThicknessRange: [thickness_nm, thickness_nm],
+            iridescenceThicknessMinimum: thickness_nm, iridescenceThicknessMaximum: thickness_nm,
         });
         material.color.setRGB(...color, THREE.LinearSRGBColorSpace);
         if (!shown) {
