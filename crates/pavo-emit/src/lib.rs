@@ -21,9 +21,9 @@ mod wrapped;
 
 pub use dialect::Dialect;
 pub use entry::{Sphere, SphereInput, full_screen_triangle};
-pub use wrapped::Wrapper;
 use pavo_shade::Program;
 use thiserror::Error;
+pub use wrapped::Wrapper;
 
 /// A text language that the printer writes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]

@@ -49,9 +49,10 @@ pub fn wrapped(program: &Program, options: &Options, wrapper: &Wrapper<'_>) -> R
     };
     let mut environment = Environment::new();
     environment.set_undefined_behavior(minijinja::UndefinedBehavior::Strict);
-    environment.render_str(wrapper.template, values).map(|text| text.trim_end().to_owned() + "\n").map_err(|error| {
-        EmitError::Wrapper { name: wrapper.name.to_owned(), message: format!("{error:#}") }
-    })
+    environment
+        .render_str(wrapper.template, values)
+        .map(|text| text.trim_end().to_owned() + "\n")
+        .map_err(|error| EmitError::Wrapper { name: wrapper.name.to_owned(), message: format!("{error:#}") })
 }
 
 /// An expression held within the range of its input: guards are left out for what lies outside.

@@ -21,6 +21,7 @@ const TEMPLATES: &[(&str, &str)] = templates![
     "function.wgsl",
     "playcanvas/chunk.glsl",
     "playcanvas/chunk.wgsl",
+    "three-wgsl/thin-film-material.js",
     "three/iridescence_fragment.glsl",
 ];
 
@@ -48,6 +49,9 @@ pub struct Engine {
     /// What is lost of the scene in this engine; empty for nothing.
     #[serde(default)]
     pub loses: String,
+    /// Templates that are copied as they are.
+    #[serde(default)]
+    pub beside: Vec<String>,
     /// The files.
     #[serde(rename = "file")]
     pub files: Vec<EngineFile>,
@@ -151,6 +155,14 @@ mod tests {
         for file in engines.iter().flat_map(|engine| &engine.files) {
             assert!(file.language().is_ok(), "{}", file.file);
             assert!(template(&file.template).is_ok(), "{}", file.template);
+        }
+    }
+
+    #[test]
+    fn what_goes_beside_the_code_is_there() {
+        let engines = engines().unwrap_or_else(|_| panic!("the table can be read"));
+        for name in engines.iter().flat_map(|engine| &engine.beside) {
+            assert!(template(name).is_ok(), "{name}");
         }
     }
 

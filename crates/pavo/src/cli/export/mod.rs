@@ -10,10 +10,10 @@ use super::failure::Failure;
 use super::output;
 use super::progress::Progress;
 use super::sources::{Source, refused};
+use crate::Emission;
 use crate::emission::wrapped;
 use crate::inputs::ShadingQuantity;
 use crate::tuning::{Judge, VariantErrors};
-use crate::Emission;
 use engines::{Engine, EngineFile, engine, engines, template};
 use pavo_check::judge_text;
 use pavo_emit::{Form, Wrapper};
@@ -121,6 +121,10 @@ impl Export<'_> {
             }
             files.push((file.file.clone(), text.into_bytes()));
         }
+        for name in &self.engine.beside {
+            let file = name.rsplit('/').next().unwrap_or(name);
+            files.push((file.to_owned(), template(name)?.as_bytes().to_vec()));
+        }
         files.push(("test-vectors.csv".to_owned(), test_vectors(self.source)));
         let path = &self.source.path;
         let scene = std::fs::read(path).map_err(|error| Failure::file(path, "read", &error))?;
@@ -128,7 +132,13 @@ impl Export<'_> {
         let mut names: Vec<String> = files.iter().map(|(name, _)| name.clone()).collect();
         names.sort();
         let error = self.error();
-        let readme = page::readme(self.source, self.engine, [&self.scene_file(), &self.command(), &error, &self.cost()], self.notes(), &names)?;
+        let readme = page::readme(
+            self.source,
+            self.engine,
+            [&self.scene_file(), &self.command(), &error, &self.cost()],
+            self.notes(),
+            &names,
+        )?;
         files.push(("README.md".to_owned(), readme.into_bytes()));
         Ok(files)
     }
@@ -146,7 +156,8 @@ impl Export<'_> {
         let facts = [format!("Error: {}.", self.error()), format!("Cost: {}.", self.cost())];
         let text = wrapped(&self.source.shading, emission, PREFIX, &facts, &wrapper)?;
         let judged = file.judged(&text);
-        judge_text(language, Form::Library, &file.file, &judged).map_err(|error| refused(&file.file, &judged, error))?;
+        judge_text(language, Form::Library, &file.file, &judged)
+            .map_err(|error| refused(&file.file, &judged, error))?;
         Ok(text)
     }
 
@@ -181,12 +192,19 @@ impl Export<'_> {
     }
 
     fn cost(&self) -> String {
-        format!("{} operations an evaluation, quotients, roots, sines and the like counted as four", self.operations().weight())
+        format!(
+            "{} operations an evaluation, quotients, roots, sines and the like counted as four",
+            self.operations().weight()
+        )
     }
 
     fn command(&self) -> String {
         let variant = self.source.shading.variant();
-        format!("pavo export {} --engine {} --variant {variant}", quoted(Path::new(&self.scene_file())), self.engine.name)
+        format!(
+            "pavo export {} --engine {} --variant {variant}",
+            quoted(Path::new(&self.scene_file())),
+            self.engine.name
+        )
     }
 
     fn scene_file(&self) -> String {
