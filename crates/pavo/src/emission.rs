@@ -87,6 +87,19 @@ pub fn cost_baseline<'a>(
     pavo_emit::emit_cost_baseline(&program, &options(shading, emission.into(), Form::Fragment, program.inputs()))
 }
 
+/// The functions of a quantity with a fragment entry for OpenGL that evaluates one point at each pixel, from a texture.
+///
+/// # Errors
+/// If the language is neither GLSL 3.30 nor GLSL ES 3.00.
+pub fn points_fragment<'a>(
+    shading: &Shading,
+    quantity: ShadingQuantity,
+    emission: impl Into<Emission<'a>>,
+) -> Result<String, EmitError> {
+    let program = shading.program(quantity);
+    pavo_emit::emit_points(&program, &options(shading, emission.into(), Form::Fragment, program.inputs()))
+}
+
 /// What a library is of: as far as the scene goes.
 pub fn library_quantity(scene: &Scene) -> ShadingQuantity {
     if scene.lights.punctual { ShadingQuantity::Directions } else { ShadingQuantity::Brdf }

@@ -49,7 +49,7 @@ pub mod roads;
 #[cfg(feature = "cli")]
 pub mod tuning;
 
-pub use emission::{Emission, compute, cost, cost_baseline, fragment, library, library_quantity};
+pub use emission::{Emission, compute, cost, cost_baseline, fragment, library, library_quantity, points_fragment};
 pub use fitting::{FitCache, NoCache};
 pub use inputs::ShadingQuantity;
 pub use media::MediaError;

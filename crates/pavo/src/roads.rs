@@ -1,8 +1,9 @@
-//! The three roads by which emitted code runs on a device.
+//! The roads by which emitted code runs on a device.
 
 use crate::inputs::ShadingQuantity;
 use crate::{Shading, compute};
-use pavo_check::{CheckError, ComputeShader, Device, Stage, glsl_to_spirv, judge_spirv, judge_text, wgsl_to_spirv};
+use pavo_check::wgsl_to_spirv;
+use pavo_check::{CheckError, ComputeShader, Device, Stage, glsl_to_spirv, hlsl_to_spirv, judge_spirv, judge_text};
 use pavo_emit::{Dialect, EmitError, Form, Language, WORKGROUP_SIZE};
 use pavo_shade::{Input, Table};
 use thiserror::Error;
@@ -14,19 +15,22 @@ pub enum Road {
     Wgsl,
     /// The emitted GLSL 4.50, made SPIR-V by glslang.
     Glsl,
+    /// The emitted HLSL, made SPIR-V by glslang.
+    Hlsl,
     /// The emitted SPIR-V as it is.
     Spirv,
 }
 
 impl Road {
     /// All roads.
-    pub const ALL: [Road; 3] = [Road::Wgsl, Road::Glsl, Road::Spirv];
+    pub const ALL: [Road; 4] = [Road::Wgsl, Road::Glsl, Road::Hlsl, Road::Spirv];
 
     /// The name in reports.
     pub fn name(self) -> &'static str {
         match self {
             Road::Wgsl => "wgsl by naga",
             Road::Glsl => "glsl450 by glslang",
+            Road::Hlsl => "hlsl by glslang",
             Road::Spirv => "spirv as emitted",
         }
     }
@@ -39,6 +43,7 @@ impl Road {
         let language = match self {
             Road::Wgsl | Road::Spirv => Language::Wgsl,
             Road::Glsl => Language::Glsl450,
+            Road::Hlsl => Language::Hlsl,
         };
         let name = format!("{}.{}", shading.scene().name, Dialect::of(language).extension);
         let text = compute(shading, quantity, language)?;
@@ -47,6 +52,7 @@ impl Road {
             // The emitted SPIR-V is naga's of the emitted WGSL.
             Road::Wgsl | Road::Spirv => wgsl_to_spirv(&name, &text)?,
             Road::Glsl => glsl_to_spirv(&name, &text, Stage::Compute)?,
+            Road::Hlsl => hlsl_to_spirv(&name, &text, Stage::Compute)?,
         };
         judge_spirv(&name, &words)?;
         Ok(words)
@@ -77,17 +83,25 @@ pub fn evaluate(
 ) -> Result<Vec<[f32; 3]>, RoadError> {
     let words = road.spirv(shading, quantity)?;
     let program = shading.program(quantity);
-    let columns = columns(&shading.inputs(quantity), program.inputs());
-    let inputs: Vec<f32> = points.iter().flat_map(|point| columns.iter().map(|&column| point[column])).collect();
+    let taken = numbers_taken(shading, quantity, points);
+    let components = program.input_components();
     let tables: Vec<Vec<f32>> = program.tables().iter().map(table_numbers).collect();
     let shader = ComputeShader { spirv: &words, entry: "main", workgroup_size: WORKGROUP_SIZE, tables: &tables };
-    let outputs = device.evaluate(&shader, &inputs, columns.len(), 3)?;
+    let outputs = device.evaluate(&shader, &taken.concat(), components, 3)?;
     let mut colors: Vec<[f32; 3]> = outputs.chunks_exact(3).map(|color| [color[0], color[1], color[2]]).collect();
-    if columns.is_empty() {
+    if components == 0 {
         // A program without inputs gives the same colour at each point.
         colors = vec![colors.first().copied().unwrap_or([f32::NAN; 3]); points.len()];
     }
     Ok(colors)
+}
+
+/// Of each point the numbers that the program of a quantity takes, in its order: what it does not depend on is left out.
+///
+/// A point has a number for each component of [`Shading::inputs`].
+pub fn numbers_taken(shading: &Shading, quantity: ShadingQuantity, points: &[Vec<f32>]) -> Vec<Vec<f32>> {
+    let columns = columns(&shading.inputs(quantity), shading.program(quantity).inputs());
+    points.iter().map(|point| columns.iter().map(|&column| point[column]).collect()).collect()
 }
 
 /// A table as a buffer of [`Road::spirv`] holds it: a fourth number after each three.
