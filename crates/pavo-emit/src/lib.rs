@@ -18,11 +18,13 @@ mod passing;
 mod rust;
 mod text;
 mod uniform;
+mod wrapped;
 
 pub use dialect::Dialect;
 pub use entry::{Sphere, SphereInput, full_screen_triangle};
 use pavo_shade::Program;
 use thiserror::Error;
+pub use wrapped::Wrapper;
 
 /// A text language that the printer writes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
@@ -126,6 +128,14 @@ pub enum EmitError {
         /// The name of the language.
         language: &'static str,
     },
+    /// A template of what stands around functions is broken.
+    #[error("the template {name} cannot be rendered: {message}")]
+    Wrapper {
+        /// The name of the template.
+        name: String,
+        /// What is wrong with it.
+        message: String,
+    },
     /// A template of an entry point is broken.
     #[error("the template of the {form} entry cannot be rendered: {message}")]
     Template {
@@ -200,4 +210,13 @@ pub fn emit_cost_baseline(program: &Program, options: &Options) -> Result<String
 /// If the language is neither GLSL 3.30 nor GLSL ES 3.00.
 pub fn emit_points(program: &Program, options: &Options) -> Result<String, EmitError> {
     cost::points(program, options)
+}
+
+/// The functions of a program within a text from a template: a function with a signature of somebody else's, that
+/// computes the program's one output from what it is given.
+///
+/// # Errors
+/// If the template is broken.
+pub fn emit_wrapped(program: &Program, options: &Options, wrapper: &Wrapper<'_>) -> Result<String, EmitError> {
+    wrapped::wrapped(program, options, wrapper)
 }

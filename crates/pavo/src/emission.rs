@@ -3,7 +3,7 @@
 use crate::inputs::ShadingQuantity;
 use crate::scene::Scene;
 use crate::shading::Shading;
-use pavo_emit::{EmitError, Form, Language, Options, Sphere, SphereInput};
+use pavo_emit::{EmitError, Form, Language, Options, Sphere, SphereInput, Wrapper};
 use pavo_shade::Input;
 
 /// How a text is made.
@@ -98,6 +98,24 @@ pub fn points_fragment<'a>(
 ) -> Result<String, EmitError> {
     let program = shading.program(quantity);
     pavo_emit::emit_points(&program, &options(shading, emission.into(), Form::Fragment, program.inputs()))
+}
+
+/// The reflectance behind a signature of somebody else's. `facts` are further lines of the comment at its top.
+///
+/// # Errors
+/// If the template of the wrapper is broken.
+pub fn wrapped<'a>(
+    shading: &Shading,
+    emission: impl Into<Emission<'a>>,
+    prefix: &str,
+    facts: &[String],
+    wrapper: &Wrapper<'_>,
+) -> Result<String, EmitError> {
+    let program = shading.program(ShadingQuantity::Reflectance);
+    let mut options = options(shading, emission.into(), Form::Library, program.inputs());
+    options.prefix.insert_str(0, prefix);
+    options.header.extend_from_slice(facts);
+    pavo_emit::emit_wrapped(&program, &options, wrapper)
 }
 
 /// What a library is of: as far as the scene goes.

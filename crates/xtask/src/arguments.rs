@@ -30,6 +30,13 @@ pub enum Task {
         /// Whether to print JSON.
         json: bool,
     },
+    /// Render the exports in their engines, in a browser.
+    Clients {
+        /// The clients; none for all.
+        names: Vec<OsString>,
+        /// Whether to print JSON.
+        json: bool,
+    },
     /// Print what the emitted code saves where a scene fixes something.
     Savings,
     /// Print the usage.
@@ -49,12 +56,15 @@ Tasks:
   peers [--no-install] [--json]
                      Install the npm package three and the PyPI package MaterialX into target/peers, and measure pavo
                      beside their thin-film shaders: errors, costs, times
+  clients [NAME ...] [--json]
+                     Install three.js, Babylon.js and PlayCanvas into target/clients, render what `pavo export` writes for
+                     them in a headless Chromium, and compare each pixel with the CPU evaluation
   savings            Print what the emitted code saves where a scene fixes something, as a Markdown table
   help               Print this
 
 Exit codes: 0 fine, 1 a check failed, 2 bad input, 3 something needed is missing";
 
-const TASKS: &str = "the tasks are setup, demo, test, fits, peers, savings and help";
+const TASKS: &str = "the tasks are setup, demo, test, fits, peers, clients, savings and help";
 
 /// Reads the words, the first of which names the task.
 ///
@@ -74,6 +84,7 @@ pub fn parse(words: impl IntoIterator<Item = OsString>) -> Result<Task, Failure>
             Some("test") => Task::Test { set_up: true },
             Some("fits") => Task::Fits,
             Some("peers") => Task::Peers { install: true, json: false },
+            Some("clients") => Task::Clients { names: Vec::new(), json: false },
             Some("savings") => Task::Savings,
             Some("help") => Task::Help,
             _ => {
@@ -93,6 +104,11 @@ pub fn parse(words: impl IntoIterator<Item = OsString>) -> Result<Task, Failure>
             (Task::Peers { json, .. }, Arg::Long("json")) => *json = true,
             (Task::Peers { .. }, other) => {
                 return Err(not_taken(&other, "peers", "it takes --no-install and --json only"));
+            }
+            (Task::Clients { names, .. }, Arg::Value(value)) => names.push(value),
+            (Task::Clients { json, .. }, Arg::Long("json")) => *json = true,
+            (Task::Clients { .. }, other) => {
+                return Err(not_taken(&other, "clients", "it takes names of clients and --json only"));
             }
             (Task::Setup, other) => return Err(not_taken(&other, "setup", "it takes nothing")),
             (Task::Fits, other) => return Err(not_taken(&other, "fits", "it takes nothing")),
@@ -137,6 +153,8 @@ mod tests {
             ("fits", Task::Fits),
             ("peers", Task::Peers { install: true, json: false }),
             ("peers --json --no-install", Task::Peers { install: false, json: true }),
+            ("clients", Task::Clients { names: Vec::new(), json: false }),
+            ("clients three --json", Task::Clients { names: vec!["three".into()], json: true }),
             ("savings", Task::Savings),
             ("help", Task::Help),
             ("--help", Task::Help),
@@ -150,17 +168,18 @@ mod tests {
     #[test]
     fn other_words_are_refused_with_what_is_taken() {
         for (words, expected) in [
-            ("", "name a task: the tasks are setup, demo, test, fits, peers, savings and help"),
-            ("tset", "`tset` is no task; the tasks are setup, demo, test, fits, peers, savings and help"),
+            ("", "name a task: the tasks are setup, demo, test, fits, peers, clients, savings and help"),
+            ("tset", "`tset` is no task; the tasks are setup, demo, test, fits, peers, clients, savings and help"),
             (
                 "--no-setup",
-                "cargo xtask does not take `--no-setup`; the tasks are setup, demo, test, fits, peers, savings and help",
+                "cargo xtask does not take `--no-setup`; the tasks are setup, demo, test, fits, peers, clients, savings and help",
             ),
             ("demo a b", "demo does not take `b`; it takes one scene"),
             ("demo --no-setup", "demo does not take `--no-setup`; it takes one scene"),
             ("test all", "test does not take `all`; it takes --no-setup only"),
             ("peers three", "peers does not take `three`; it takes --no-install and --json only"),
             ("test -x", "test does not take `-x`; it takes --no-setup only"),
+            ("clients -x", "clients does not take `-x`; it takes names of clients and --json only"),
             ("setup now", "setup does not take `now`; it takes nothing"),
             ("help me", "help does not take `me`; it takes nothing"),
         ] {

@@ -1,6 +1,7 @@
 //! The set-up, the demo and the tests of this workspace: `cargo xtask help` lists what it does.
 
 mod arguments;
+mod clients;
 mod command_line;
 mod console;
 mod demo;
@@ -45,6 +46,7 @@ fn run() -> Result<(), Failure> {
         }
         Task::Fits => suite::make_fits(&workspace),
         Task::Peers { install, json } => peers::run(&workspace, install, json),
+        Task::Clients { names, json } => clients::run(&workspace, &names, json),
         Task::Savings => measuring::run(&workspace, "pavo-savings", |measure| measure),
         Task::Test { set_up } => {
             if set_up {

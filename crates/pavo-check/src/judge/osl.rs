@@ -9,6 +9,8 @@ use crate::CheckError;
 /// What OSL calls otherwise than HLSL. Structs, functions, whole numbers as truth values and lists in braces are alike.
 const PRELUDE: &str = "\
 #define vector float3
+#define color float3
+#define shader void
 #define mix lerp
 #define inversesqrt rsqrt
 #define mod fmod
@@ -16,8 +18,8 @@ const PRELUDE: &str = "\
 
 /// Judges a library of OSL functions: glslang reads it as HLSL.
 ///
-/// That holds its syntax and types to rules near those of OSL; it is no OSL compiler, and its verdict says so. Shaders,
-/// with their metadata and closures, are not read. `file` is the name to use in messages.
+/// That holds its syntax and types to rules near those of OSL; it is no OSL compiler, and its verdict says so. Metadata,
+/// closures and parameters for output are not read. `file` is the name to use in messages.
 ///
 /// # Errors
 /// [`CheckError::Refused`] when glslang refuses the text, [`CheckError::Missing`] when it is not installed.

@@ -13,6 +13,7 @@ Examples:
   pavo new my-film                                  a scene to start from: my-film.toml
   pavo build my-film.toml                           emit, judge, run on lavapipe, report
   pavo emit my-film.toml --target wgsl              the shader functions, on standard output
+  pavo export my-film.toml --engine three           what an engine takes, and where it goes
   pavo preview my-film.toml -o sphere.png           a picture of a lit sphere
   pavo eval my-film.toml --points points.csv --on reference
   pavo fit scene my-film.toml --max-rms 0.002        a short form, fitted to this scene
@@ -39,6 +40,8 @@ pub enum Command {
     Build(Build),
     /// Emit one shader.
     Emit(Emit),
+    /// Write a scene's functions as an engine takes them.
+    Export(Export),
     /// Ask the judges only: of the shaders of a scene, or of shader files.
     Check(Check),
     /// Evaluate a scene at the points of a table.
@@ -104,6 +107,34 @@ pub struct Emit {
     /// The file to write [default: standard output].
     #[arg(short, long, value_name = "FILE")]
     pub output: Option<PathBuf>,
+}
+
+const EXPORT_EXAMPLES: &str = "\
+Examples:
+  pavo export --list                                the engines, and how each was verified
+  pavo export my-film.toml --engine three -o film   the chunk for three.js, a README, vectors and a page that checks";
+
+#[derive(Debug, Args)]
+#[command(after_help = EXPORT_EXAMPLES)]
+pub struct Export {
+    /// The scene file.
+    #[arg(required_unless_present = "list")]
+    pub scene: Option<PathBuf>,
+    /// The engine: one of those that --list shows.
+    #[arg(long, value_name = "NAME", required_unless_present = "list")]
+    pub engine: Option<String>,
+    /// The folder to write to [default: the scene's name with the engine's].
+    #[arg(short, long, value_name = "DIR")]
+    pub output: Option<PathBuf>,
+    /// The variant [default: that of the scene].
+    #[arg(long)]
+    pub variant: Option<String>,
+    /// List the engines with their languages and how each was verified.
+    #[arg(long)]
+    pub list: bool,
+    /// Print JSON.
+    #[arg(long)]
+    pub json: bool,
 }
 
 #[derive(Debug, Args)]

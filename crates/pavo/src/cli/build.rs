@@ -107,21 +107,34 @@ fn with_cosines(mut inputs: Vec<Input>, [low, high]: [f64; 2]) -> Vec<Input> {
     inputs
 }
 
-/// Points with the reflectance that the variant gives in f64.
-fn test_vectors(source: &Source) -> Vec<u8> {
+/// How far emitted code on a 32-bit device may be from the test vectors.
+pub(super) const VECTOR_TOLERANCE: f64 = 2e-5;
+
+/// The inputs of the reflectance, and points with what the variant gives there in f64.
+pub(super) fn vector_points(source: &Source) -> (Vec<Input>, Vec<(Vec<f64>, [f64; 3])>) {
     let quantity = ShadingQuantity::Reflectance;
     let inputs = with_cosines(source.shading.inputs(quantity), [GRAZING_COSINE, 1.0]);
+    let row = |point: Vec<f64>| {
+        let point: Vec<f64> = point.into_iter().map(|value| f64::from(value as f32)).collect();
+        let color = source.shading.evaluate(quantity, &point);
+        (point, color)
+    };
+    let rows = spread(&inputs, VECTOR_POINTS, 3).into_iter().map(row).collect();
+    (inputs, rows)
+}
+
+/// Points with the reflectance that the variant gives in f64, as a table.
+pub(super) fn test_vectors(source: &Source) -> Vec<u8> {
+    let (inputs, rows) = vector_points(source);
     let columns: Vec<String> = inputs.iter().flat_map(column_names).collect();
     let mut text = format!(
-        "# {} of {} by {} in f64; emitted code on a 32-bit device agrees within 2e-5.\n{},r,g,b\n",
-        quantity.name(),
+        "# {} of {} by {} in f64; emitted code on a 32-bit device agrees within {VECTOR_TOLERANCE:e}.\n{},r,g,b\n",
+        ShadingQuantity::Reflectance.name(),
         source.shading.scene().name,
         source.shading.variant(),
         columns.join(",")
     );
-    for point in spread(&inputs, VECTOR_POINTS, 3) {
-        let point: Vec<f64> = point.into_iter().map(|value| f64::from(value as f32)).collect();
-        let color = source.shading.evaluate(quantity, &point);
+    for (point, color) in rows {
         let fields: Vec<String> = point.iter().chain(&color).copied().map(digits).collect();
         text.push_str(&fields.join(","));
         text.push('\n');

@@ -10,6 +10,7 @@ mod command_line;
 mod doctor;
 mod emit;
 mod eval;
+mod export;
 mod failure;
 mod fit;
 mod manifest;
@@ -48,6 +49,7 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
     let result = match arguments.command {
         Command::Build(arguments) => build::run(&arguments),
         Command::Emit(arguments) => emit::run(&arguments),
+        Command::Export(arguments) => export::run(&arguments),
         Command::Check(arguments) => check::run(&arguments),
         Command::Eval(arguments) => eval::run(&arguments),
         Command::Preview(arguments) => preview::run(&arguments),

@@ -126,7 +126,7 @@ pub struct Emitted {
 }
 
 /// A refusal with the lines of the text that it speaks of.
-fn refused(file: &str, text: &str, error: CheckError) -> Failure {
+pub(super) fn refused(file: &str, text: &str, error: CheckError) -> Failure {
     let lines: Vec<String> = error
         .diagnostics()
         .filter_map(|diagnostic| diagnostic.line)

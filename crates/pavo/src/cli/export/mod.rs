@@ -1,0 +1,239 @@
+//! `pavo export`: the functions as an engine takes them, with what says where they go and whether they work.
+
+mod engines;
+mod page;
+
+use super::arguments;
+use super::build::test_vectors;
+use super::command_line::quoted;
+use super::failure::Failure;
+use super::output;
+use super::progress::Progress;
+use super::sources::{Source, refused};
+use crate::Emission;
+use crate::emission::wrapped;
+use crate::inputs::ShadingQuantity;
+use crate::tuning::{Judge, VariantErrors};
+use engines::{Engine, EngineFile, engine, engines, template};
+use pavo_check::judge_text;
+use pavo_emit::{Form, Wrapper};
+use pavo_shade::Input;
+use serde_json::json;
+use std::path::{Path, PathBuf};
+
+/// What the names of the functions begin with, so that none is one of an engine's own.
+const PREFIX: &str = "pavo_";
+
+/// Exports a scene for an engine, or lists the engines.
+pub fn run(arguments: &arguments::Export) -> Result<(), Failure> {
+    if arguments.list {
+        return list(arguments.json);
+    }
+    let (Some(scene), Some(name)) = (&arguments.scene, &arguments.engine) else {
+        return Err(Failure::input("a scene and an engine are needed", "write: pavo export SCENE --engine three"));
+    };
+    let engine = engine(name)?;
+    let source = Source::load(scene, arguments.variant.as_deref())?;
+    let progress = Progress::start();
+    progress.step(format!("measuring the error of {}", source.shading.variant()));
+    let errors = Judge::new(source.shading.scene())?.errors(&source.shading)?;
+    progress.step(format!("emitting and judging for {}", engine.title));
+    let export = Export { engine: &engine, source: &source, errors: &errors };
+    let files = export.files()?;
+    drop(progress);
+    let folder = arguments
+        .output
+        .clone()
+        .unwrap_or_else(|| PathBuf::from(format!("{}-{}", source.shading.scene().name, engine.name)));
+    std::fs::create_dir_all(&folder).map_err(|error| Failure::file(&folder, "made", &error))?;
+    for (file, bytes) in &files {
+        output::write(&folder.join(file), bytes)?;
+    }
+    let names: Vec<&str> = files.iter().map(|(name, _)| name.as_str()).collect();
+    if arguments.json {
+        let folder = folder.display().to_string();
+        let report = json!({
+            "engine": engine.name, "folder": folder, "files": names, "variant": source.shading.variant().to_string(),
+            "errors": errors, "operations": export.operations(), "notes": export.notes(),
+        });
+        return output::print(&format!("{report:#}\n"));
+    }
+    let mut text = format!("{}, for {}: {}\n", source.shading.scene().name, engine.title, export.error());
+    for note in export.notes() {
+        text.push_str(&format!("  {note}\n"));
+    }
+    for name in names {
+        text.push_str(&format!("  {}\n", folder.join(name).display()));
+    }
+    output::print(&text)
+}
+
+fn list(as_json: bool) -> Result<(), Failure> {
+    let engines = engines()?;
+    if as_json {
+        let rows: Vec<_> = engines
+            .iter()
+            .map(|engine| {
+                let files = engine.files.iter().map(|file| {
+                    json!({ "file": file.file, "language": file.language, "signature": file.signature,
+                        "check": !file.check.is_empty() })
+                });
+                json!({
+                    "name": engine.name, "title": engine.title, "tried": engine.tried, "verified": engine.verified,
+                    "hook": engine.hook.trim(), "loses": engine.loses, "files": files.collect::<Vec<_>>(),
+                })
+            })
+            .collect();
+        return output::print(&format!("{:#}\n", json!(rows)));
+    }
+    let mut text = String::new();
+    for engine in &engines {
+        let languages: Vec<&str> = engine.files.iter().map(|file| file.language.as_str()).collect();
+        text.push_str(&format!(
+            "{:<12} {} ({}; {})\n{:<12} {}\n",
+            engine.name,
+            engine.title,
+            languages.join(", "),
+            engine.tried,
+            "",
+            engine.verified
+        ));
+    }
+    output::print(&text)
+}
+
+/// A scene on its way to an engine.
+struct Export<'a> {
+    engine: &'a Engine,
+    source: &'a Source,
+    errors: &'a VariantErrors,
+}
+
+impl Export<'_> {
+    /// The names and contents of all files; the code has passed its judges.
+    fn files(&self) -> Result<Vec<(String, Vec<u8>)>, Failure> {
+        let mut files = Vec::new();
+        for file in &self.engine.files {
+            let text = self.code(file)?;
+            if !file.check.is_empty() {
+                let page = page::check(self.source, self.engine, file, &text)?;
+                files.push(("check.html".to_owned(), page.into_bytes()));
+            }
+            files.push((file.file.clone(), text.into_bytes()));
+        }
+        for file in &self.engine.fixed {
+            files.push((file.file.clone(), template(&file.template)?.as_bytes().to_vec()));
+        }
+        files.push(("test-vectors.csv".to_owned(), test_vectors(self.source)));
+        let path = &self.source.path;
+        let scene = std::fs::read(path).map_err(|error| Failure::file(path, "read", &error))?;
+        files.push((self.scene_file(), scene));
+        let mut names: Vec<String> = files.iter().map(|(name, _)| name.clone()).collect();
+        names.sort();
+        let error = self.error();
+        let readme = page::readme(
+            self.source,
+            self.engine,
+            [&self.scene_file(), &self.command(), &error, &self.cost()],
+            self.notes(),
+            &names,
+        )?;
+        files.push(("README.md".to_owned(), readme.into_bytes()));
+        Ok(files)
+    }
+
+    /// The code of a file, judged.
+    fn code(&self, file: &EngineFile) -> Result<String, Failure> {
+        let language = file.language()?;
+        let inputs = self.inputs();
+        let given: Vec<String> =
+            inputs.iter().map(|input| self.expression(file, input)).collect::<Result<_, Failure>>()?;
+        let signature = template(&file.template)?.replace("{{ signature }}", &file.signature);
+        let wrapper = Wrapper { name: &file.template, template: &signature, given: &given };
+        let command = self.command();
+        let emission = Emission { language, command: &command, source_lines: false };
+        let facts = [format!("Error: {}.", self.error()), format!("Cost: {}.", self.cost())];
+        let text = wrapped(&self.source.shading, emission, PREFIX, &facts, &wrapper)?;
+        let judged = file.judged(&text);
+        judge_text(language, Form::Library, &file.file, &judged)
+            .map_err(|error| refused(&file.file, &judged, error))?;
+        Ok(text)
+    }
+
+    fn expression(&self, file: &EngineFile, input: &Input) -> Result<String, Failure> {
+        file.expression(&input.name).map(str::to_owned).ok_or_else(|| {
+            Failure::input(
+                format!("{} has no {} for the scene to take at run time", self.engine.title, input.name),
+                format!(
+                    "fix it in the scene with one number; or let the base follow the engine's colour, by \
+                     `workflow = \"metalness\"` in [base] with `base_color = \"input\"` in [surface]; {} has {}",
+                    self.engine.title,
+                    file.parameters.iter().map(|[_, inputs]| inputs.as_str()).collect::<Vec<_>>().join(", ")
+                ),
+            )
+        })
+    }
+
+    fn inputs(&self) -> Vec<Input> {
+        self.source.shading.program(ShadingQuantity::Reflectance).inputs().to_vec()
+    }
+
+    fn error(&self) -> String {
+        let VariantErrors { max, rms, mean_delta_e, max_delta_e, .. } = self.errors;
+        format!(
+            "max {max:.2e}, RMS {rms:.2e}, dE2000 mean {mean_delta_e:.3} and max {max_delta_e:.2}, against the exact \
+             spectral reference over the scene"
+        )
+    }
+
+    fn operations(&self) -> pavo_shade::Operations {
+        self.source.shading.program(ShadingQuantity::Reflectance).operations()
+    }
+
+    fn cost(&self) -> String {
+        format!(
+            "{} operations an evaluation, quotients, roots, sines and the like counted as four",
+            self.operations().weight()
+        )
+    }
+
+    fn command(&self) -> String {
+        let variant = self.source.shading.variant();
+        format!(
+            "pavo export {} --engine {} --variant {variant}",
+            quoted(Path::new(&self.scene_file())),
+            self.engine.name
+        )
+    }
+
+    fn scene_file(&self) -> String {
+        self.source.path.file_name().map_or_else(|| "scene.toml".to_owned(), |name| name.to_string_lossy().into_owned())
+    }
+
+    /// What the engine gives and the scene does not take, and what the engine loses.
+    fn notes(&self) -> Vec<String> {
+        let inputs = self.inputs();
+        let mut notes = Vec::new();
+        if let Some(file) = self.engine.files.first() {
+            let ignored: Vec<&str> = file
+                .parameters
+                .iter()
+                .filter(|[_, names]| !inputs.iter().any(|input| names.split(' ').any(|name| name == input.name)))
+                .map(|[name, _]| name.as_str())
+                .collect();
+            if !ignored.is_empty() {
+                notes.push(format!("The scene fixes what the engine passes as {}: it is ignored.", ignored.join(", ")));
+            }
+            let ranged = inputs.iter().filter(|input| !file.given.get(&input.name).is_some_and(|text| text == "1.0"));
+            let ranges: Vec<String> =
+                ranged.map(|input| format!("{} in [{}, {}]", input.name, input.low, input.high)).collect();
+            if !ranges.is_empty() {
+                notes.push(format!("What is passed is held within the ranges of the scene: {}.", ranges.join(", ")));
+            }
+        }
+        if !self.engine.loses.is_empty() {
+            notes.push(self.engine.loses.clone());
+        }
+        notes
+    }
+}

@@ -1,0 +1,52 @@
+//! Installs the engines that pavo exports for, and renders the exports in them.
+
+use std::ffi::OsString;
+use std::path::Path;
+
+use crate::command_line::CommandLine;
+use crate::console::complain;
+use crate::failure::{Failure, Status};
+use crate::measuring::ended;
+use crate::programs::find_program;
+use crate::workspace::Workspace;
+
+/// The packages of npm, at the versions that the exports were made for.
+const PACKAGES: [&str; 4] = ["three@0.187", "@babylonjs/core@9.34", "playcanvas@2.23", "playwright-core@1"];
+
+/// Installs the engines into `target/clients`, builds the command, and has each client render its export on each
+/// device: all of them, or those named. Screenshots are left beside the engines.
+///
+/// # Errors
+///
+/// npm, node, Chromium or a driver is missing, a package cannot be installed, or a client does not agree with the CPU
+/// evaluation.
+pub fn run(workspace: &Workspace, names: &[OsString], json: bool) -> Result<(), Failure> {
+    for program in ["npm", "node"] {
+        if find_program(program).is_none() {
+            return Err(Failure::missing(format!(
+                "{program} is needed to run the clients, and is not here; on Debian and Ubuntu, \
+                 `apt-get install npm` brings it. Nothing was rendered"
+            )));
+        }
+    }
+    let folder = workspace.target.join("clients");
+    let shown = workspace.relative(&folder);
+    let install = CommandLine::new("npm")
+        .arguments(["install", "--no-audit", "--no-fund", "--loglevel=error", "--prefix"])
+        .arguments([shown])
+        .arguments(PACKAGES);
+    let build = workspace.cargo(&["build", "--quiet", "--package", "pavo"]);
+    let pavo = workspace.target.join("debug").join(format!("pavo{}", std::env::consts::EXE_SUFFIX));
+    let render = CommandLine::new("node")
+        .arguments([Path::new("clients/run.mjs"), Path::new("--packages"), shown, Path::new("--pavo"), &pavo])
+        .arguments(json.then_some("--json"))
+        .arguments(names);
+    let steps: [(CommandLine, fn(Option<i32>) -> Status); 2] =
+        [(install, |_| Status::Missing), (build, |_| Status::CheckFailed)];
+    for (command, status) in steps {
+        complain(&format!("$ {command}"));
+        ended(&command, command.run_aside(workspace)?, status)?;
+    }
+    complain(&format!("$ {render}"));
+    ended(&render, render.run(workspace)?, Status::of_product)
+}
