@@ -166,7 +166,8 @@ static DIALECTS: [(Language, Dialect); 7] = [
             index_type: "int",
             forms: &[Form::Library],
             doc_comment: "//",
-            reserved: include_str!("../data/reserved-osl.txt"),
+            // Its judge reads it as HLSL.
+            reserved: concat!(include_str!("../data/reserved-osl.txt"), include_str!("../data/reserved-hlsl.txt")),
         },
     ),
     (

@@ -10,5 +10,5 @@
 {%- for statement in statements %}
     {{ statement }}
 {%- endfor %}
-    film_reflectance = {{ result }};
+    Reflectance = {{ result }};
 }
