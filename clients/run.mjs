@@ -83,10 +83,6 @@ function evaluated(points, name) {
 for (const folder of ['exports', 'points', 'screenshots']) mkdirSync(join(packages, folder), { recursive: true });
 const results = [];
 for (const client of clients) {
-    const folder = join(packages, 'exports', client.engine);
-    execFileSync(given.pavo, ['export', join(here, 'scene.toml'), '--engine', client.engine, '-o', folder],
-        { stdio: ['ignore', 'ignore', 'inherit'] });
-    const code = readFileSync(join(folder, client.file), 'utf8');
     for (const device of table.devices) {
         const flags = client.webgpu ? device.webgpu : device.flags;
         // WebGPU is only asked for where the browser takes that device for it.
@@ -98,6 +94,10 @@ for (const client of clients) {
         const messages = [];
         let browser;
         try {
+            const folder = join(packages, 'exports', client.engine);
+            execFileSync(given.pavo, ['export', join(here, 'scene.toml'), '--engine', client.engine, '-o', folder],
+                { stdio: ['ignore', 'ignore', 'inherit'] });
+            const code = readFileSync(join(folder, client.file), 'utf8');
             browser = await chromium.launch({
                 executablePath: browserPath,
                 args: ['--no-sandbox', '--disable-quic', '--no-first-run', '--disable-background-networking', ...flags],

@@ -25,6 +25,7 @@ const TEMPLATES: &[(&str, &str)] = templates![
     "materialx/pavo_thin_film.mtlx",
     "playcanvas/chunk.glsl",
     "playcanvas/chunk.wgsl",
+    "three-wgsl/thin-film-material.js",
     "three/iridescence_fragment.glsl",
     "unity/function.hlsl",
 ];
@@ -53,22 +54,12 @@ pub struct Engine {
     /// What is lost of the scene in this engine; empty for nothing.
     #[serde(default)]
     pub loses: String,
+    /// Templates that are copied as they are.
+    #[serde(default)]
+    pub beside: Vec<String>,
     /// The files.
     #[serde(rename = "file")]
     pub files: Vec<EngineFile>,
-    /// Files that are the same for all scenes.
-    #[serde(default, rename = "fixed")]
-    pub fixed: Vec<FixedFile>,
-}
-
-/// A file that is the same for all scenes.
-#[derive(Debug, Deserialize)]
-#[serde(deny_unknown_fields)]
-pub struct FixedFile {
-    /// Its name.
-    pub file: String,
-    /// The name of its template.
-    pub template: String,
 }
 
 /// A file of code for an engine.
@@ -170,8 +161,13 @@ mod tests {
             assert!(file.language().is_ok(), "{}", file.file);
             assert!(template(&file.template).is_ok(), "{}", file.template);
         }
-        for file in engines.iter().flat_map(|engine| &engine.fixed) {
-            assert!(template(&file.template).is_ok(), "{}", file.template);
+    }
+
+    #[test]
+    fn what_goes_beside_the_code_is_there() {
+        let engines = engines().unwrap_or_else(|_| panic!("the table can be read"));
+        for name in engines.iter().flat_map(|engine| &engine.beside) {
+            assert!(template(name).is_ok(), "{name}");
         }
     }
 

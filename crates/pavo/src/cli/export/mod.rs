@@ -121,8 +121,9 @@ impl Export<'_> {
             }
             files.push((file.file.clone(), text.into_bytes()));
         }
-        for file in &self.engine.fixed {
-            files.push((file.file.clone(), template(&file.template)?.as_bytes().to_vec()));
+        for name in &self.engine.beside {
+            let file = name.rsplit('/').next().unwrap_or(name);
+            files.push((file.to_owned(), template(name)?.as_bytes().to_vec()));
         }
         files.push(("test-vectors.csv".to_owned(), test_vectors(self.source)));
         let path = &self.source.path;
