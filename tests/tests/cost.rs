@@ -59,7 +59,7 @@ fn the_texts_pass_every_judge() {
 
 #[test]
 fn other_languages_are_refused() {
-    for language in [Language::Glsl330, Language::Essl300] {
+    for language in [Language::Glsl330, Language::Essl300, Language::Hlsl, Language::Osl] {
         let shading = starter("soap-bubble");
         for emitted in [cost(&shading, REFLECTANCE, language), cost_baseline(&shading, REFLECTANCE, language)] {
             let error = emitted.expect_err(language.name());

@@ -1,4 +1,4 @@
-//! Every starter scene is built, judged and run on lavapipe by the three roads, against the CPU.
+//! Every starter scene is built, judged and run on lavapipe by the four roads, against the CPU.
 
 use pavo_tests::{SCENES, run, scene_file};
 use serde_json::Value;
@@ -25,8 +25,15 @@ const GRAZING: [(&str, [f64; 2]); 10] = [
 fn build(name: &str, variant: Option<&str>) -> Value {
     let folder = tempfile::tempdir().expect("a temporary folder can be made");
     let scene = scene_file(name).display().to_string();
-    let mut arguments =
-        vec!["build", &scene, "-o", "out", "--json", "--target", "wgsl,glsl450,glsl330,essl300,rust,spirv,spirv-asm"];
+    let mut arguments = vec![
+        "build",
+        &scene,
+        "-o",
+        "out",
+        "--json",
+        "--target",
+        "wgsl,glsl450,glsl330,essl300,hlsl,osl,rust,spirv,spirv-asm",
+    ];
     arguments.extend(variant.into_iter().flat_map(|variant| ["--variant", variant]));
     let ran = run(PROGRAM, folder.path(), &arguments);
     assert_eq!(ran.status, 0, "{name}: {}", ran.errors);
@@ -49,7 +56,7 @@ fn check_runs(label: &str, manifest: &Value, ordinary: [f64; 2]) {
     let rows = manifest["runs"]["rows"].as_array().expect("runs are a list");
     let device = manifest["runs"]["device"]["name"].as_str().unwrap_or_default();
     assert!(device.contains("llvmpipe"), "it ran on {device}");
-    assert_eq!(rows.len(), 9, "three roads over three sets of points");
+    assert_eq!(rows.len(), 12, "four roads over three sets of points");
     for row in rows {
         let is_grazing = row["cos_theta1"][1].as_f64().expect("a range") < 0.5;
         let bounds = match row["quantity"].as_str() {
@@ -103,6 +110,7 @@ fn points_of_a_table_give_the_same_colours_on_every_road() {
         ("cpu-f32", 2e-3),
         ("lavapipe-wgsl", 2e-3),
         ("lavapipe-glsl", 2e-3),
+        ("lavapipe-hlsl", 2e-3),
         ("lavapipe-spirv", 2e-3),
     ] {
         let found = evaluate(on);

@@ -9,7 +9,7 @@ const PROGRAM: &str = env!("CARGO_BIN_EXE_pavo-under-test");
 fn a_broken_shader_is_refused_with_its_line_and_judge() {
     let spirv_header: Vec<u8> =
         [0x0723_0203_u32, 0x0001_0300, 0, 8, 0, 0xffff_ffff].iter().flat_map(|word| word.to_le_bytes()).collect();
-    let cases: [(&str, &[u8], &[&str]); 5] = [
+    let cases: [(&str, &[u8], &[&str]); 7] = [
         ("broken.wgsl", b"fn f() -> f32 {\n    return vec3f(1.0);\n}\n", &["broken.wgsl:", "[naga]"]),
         ("broken.frag", b"#version 450\nvoid main() {\n    undeclared = 1.0;\n}\n", &["broken.frag:3", "glslang"]),
         (
@@ -17,6 +17,8 @@ fn a_broken_shader_is_refused_with_its_line_and_judge() {
             b"#version 300 es\nprecision highp float;\nvoid main() { float x = ; }\n",
             &["broken.glsl:3", "glslang"],
         ),
+        ("broken.hlsl", b"float f(float x) {\n    return y;\n}\n", &["broken.hlsl:2", "[glslang]"]),
+        ("broken.osl", b"vector f(float x) {\n    return y;\n}\n", &["broken.osl:2", "[glslang, read as HLSL]"]),
         ("broken.rs", b"pub fn f(x: f32) -> f32 {\n    x +\n}\n", &["broken.rs:3", "[syn]"]),
         ("broken.spv", &spirv_header, &["broken.spv", "spirv-val"]),
     ];
@@ -41,6 +43,8 @@ fn every_form_of_every_starter_scene_is_judged_when_it_is_emitted() {
             ("glsl450", &["library", "compute", "fragment"]),
             ("glsl330", &["library", "fragment"]),
             ("essl300", &["library", "fragment"]),
+            ("hlsl", &["library", "compute", "fragment"]),
+            ("osl", &["library"]),
             ("rust", &["library"]),
             ("spirv", &["compute", "fragment"]),
             ("spirv-asm", &["compute", "fragment"]),
@@ -58,7 +62,7 @@ fn every_form_of_every_starter_scene_is_judged_when_it_is_emitted() {
 
 #[test]
 fn every_variant_passes_every_judge() {
-    let targets = "wgsl,glsl450,glsl330,essl300,rust,spirv";
+    let targets = "wgsl,glsl450,glsl330,essl300,hlsl,osl,rust,spirv";
     let folder = tempfile::tempdir().expect("a temporary folder can be made");
     for variant in Variant::candidates().into_iter().map(|variant| variant.to_string()) {
         let mut made = 0;

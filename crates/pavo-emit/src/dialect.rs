@@ -10,8 +10,26 @@ pub enum Syntax {
     Wgsl,
     /// `float x = ..`, `float f(float x)`, `struct S { float x; };`.
     C,
+    /// As in C, but structs and tables are filled by braces, a vector is made of three numbers or by a cast, and what is
+    /// chosen by component is written out for each.
+    Hlsl,
+    /// As in HLSL, but truth values are whole numbers, three of them a vector of 0 and 1, and a table is a function:
+    /// nothing else may stand outside of one.
+    Osl,
     /// `let x = ..`, `pub fn f(x: f32) -> f32`, `pub struct S { pub x: f32, }`, functions called as methods.
     Rust,
+}
+
+impl Syntax {
+    /// Whether declarations begin with their type.
+    pub fn is_like_c(self) -> bool {
+        matches!(self, Syntax::C | Syntax::Hlsl | Syntax::Osl)
+    }
+
+    /// Whether a struct is filled by braces where it is declared.
+    pub fn fills_by_braces(self) -> bool {
+        matches!(self, Syntax::Hlsl | Syntax::Osl)
+    }
 }
 
 /// What a language has of half precision.
@@ -45,6 +63,8 @@ pub struct Dialect {
     pub types: [&'static str; 4],
     /// The name of `1 / sqrt(x)`.
     pub inverse_sqrt: &'static str,
+    /// The name of what lies between two values.
+    pub mix: &'static str,
     /// The type of an index into a table.
     pub index_type: &'static str,
     /// The forms that are printed.
@@ -53,6 +73,8 @@ pub struct Dialect {
     pub half: Option<HalfPrecision>,
     /// What a comment begins with that documents what stands after it.
     pub doc_comment: &'static str,
+    /// Its reserved words beyond those that no language here takes for a name, lines with `#` being comments.
+    pub reserved: &'static str,
 }
 
 const ESSL_PREAMBLE: &str = "\
@@ -60,7 +82,7 @@ const ESSL_PREAMBLE: &str = "\
 precision highp float;
 ";
 
-static DIALECTS: [(Language, Dialect); 5] = [
+static DIALECTS: [(Language, Dialect); 7] = [
     (
         Language::Wgsl,
         Dialect {
@@ -71,6 +93,7 @@ static DIALECTS: [(Language, Dialect); 5] = [
             preamble: "",
             types: ["f32", "vec3f", "bool", "vec3<bool>"],
             inverse_sqrt: "inverseSqrt",
+            mix: "mix",
             index_type: "u32",
             forms: &[Form::Library, Form::Compute, Form::Fragment],
             half: Some(HalfPrecision {
@@ -80,6 +103,7 @@ static DIALECTS: [(Language, Dialect); 5] = [
                 converts: true,
             }),
             doc_comment: "//",
+            reserved: "",
         },
     ),
     (
@@ -92,6 +116,7 @@ static DIALECTS: [(Language, Dialect); 5] = [
             preamble: "",
             types: ["float", "vec3", "bool", "bvec3"],
             inverse_sqrt: "inversesqrt",
+            mix: "mix",
             index_type: "int",
             forms: &[Form::Library, Form::Compute, Form::Fragment],
             half: Some(HalfPrecision {
@@ -101,6 +126,7 @@ static DIALECTS: [(Language, Dialect); 5] = [
                 converts: true,
             }),
             doc_comment: "//",
+            reserved: "",
         },
     ),
     (
@@ -113,10 +139,12 @@ static DIALECTS: [(Language, Dialect); 5] = [
             preamble: "",
             types: ["float", "vec3", "bool", "bvec3"],
             inverse_sqrt: "inversesqrt",
+            mix: "mix",
             index_type: "int",
             forms: &[Form::Library, Form::Fragment],
             half: None,
             doc_comment: "//",
+            reserved: "",
         },
     ),
     (
@@ -129,6 +157,7 @@ static DIALECTS: [(Language, Dialect); 5] = [
             preamble: ESSL_PREAMBLE,
             types: ["float", "vec3", "bool", "bvec3"],
             inverse_sqrt: "inversesqrt",
+            mix: "mix",
             index_type: "int",
             forms: &[Form::Library, Form::Fragment],
             half: Some(HalfPrecision {
@@ -138,6 +167,44 @@ static DIALECTS: [(Language, Dialect); 5] = [
                 converts: false,
             }),
             doc_comment: "//",
+            reserved: "",
+        },
+    ),
+    (
+        Language::Hlsl,
+        Dialect {
+            name: "hlsl",
+            extension: "hlsl",
+            syntax: Syntax::Hlsl,
+            version: "",
+            preamble: "",
+            types: ["float", "float3", "bool", "bool3"],
+            inverse_sqrt: "rsqrt",
+            mix: "lerp",
+            index_type: "int",
+            forms: &[Form::Library, Form::Compute, Form::Fragment],
+            half: None,
+            doc_comment: "//",
+            reserved: include_str!("../data/reserved-hlsl.txt"),
+        },
+    ),
+    (
+        Language::Osl,
+        Dialect {
+            name: "osl",
+            extension: "osl",
+            syntax: Syntax::Osl,
+            version: "",
+            preamble: "",
+            types: ["float", "vector", "int", "vector"],
+            inverse_sqrt: "inversesqrt",
+            mix: "mix",
+            index_type: "int",
+            forms: &[Form::Library],
+            half: None,
+            doc_comment: "//",
+            // Its judge reads it as HLSL.
+            reserved: concat!(include_str!("../data/reserved-osl.txt"), include_str!("../data/reserved-hlsl.txt")),
         },
     ),
     (
@@ -151,10 +218,12 @@ static DIALECTS: [(Language, Dialect); 5] = [
             types: ["f32", "Vec3", "bool", "glam::BVec3"],
             // It has none: the printer writes `1.0 / x.sqrt()`.
             inverse_sqrt: "",
+            mix: "lerp",
             index_type: "usize",
             forms: &[Form::Library],
             half: None,
             doc_comment: "///",
+            reserved: "",
         },
     ),
 ];
@@ -196,6 +265,7 @@ impl Dialect {
             UnaryOp::Exp => "exp",
             UnaryOp::Abs => "abs",
             UnaryOp::Floor => "floor",
+            UnaryOp::Fract if self.syntax == Syntax::Hlsl => "frac",
             UnaryOp::Fract => "fract",
             UnaryOp::Normalize => "normalize",
             UnaryOp::Negate | UnaryOp::Not | UnaryOp::Half => unreachable!("an operator is no function"),
@@ -208,7 +278,7 @@ impl Dialect {
             (Syntax::Wgsl | Syntax::Rust, false) => format!("let {name} = {value};"),
             (Syntax::Wgsl, true) => format!("var {name} = {value};"),
             (Syntax::Rust, true) => format!("let mut {name} = {value};"),
-            (Syntax::C, _) => format!("{ty} {name} = {value};"),
+            (Syntax::C | Syntax::Hlsl | Syntax::Osl, _) => format!("{ty} {name} = {value};"),
         }
     }
 
@@ -218,6 +288,11 @@ impl Dialect {
         match self.syntax {
             Syntax::Wgsl => [format!("const {name} = array<{ty}, {rows}>("), ");".to_owned()],
             Syntax::C => [format!("const {ty} {name}[{rows}] = {ty}[{rows}]("), ");".to_owned()],
+            Syntax::Hlsl => [format!("static const {ty} {name}[{rows}] = {{"), "};".to_owned()],
+            Syntax::Osl => [
+                format!("{ty} {name}(int row) {{\n    {ty} rows[{rows}] = {{"),
+                "    };\n    return rows[row];\n}".to_owned(),
+            ],
             Syntax::Rust => [format!("static {name}: [{ty}; {rows}] = ["), "];".to_owned()],
         }
     }
@@ -236,7 +311,9 @@ impl Dialect {
                 let block = format!("layout(std430, set = 0, binding = {binding}) readonly buffer {name}_buffer");
                 format!("{block} {{\n    {ty} {name}[];\n}};\n")
             }
-            Syntax::Rust => unreachable!("a library has its tables as constants"),
+            // For Vulkan its rows lie at steps of four numbers as well.
+            Syntax::Hlsl => format!("StructuredBuffer<{ty}> {name} : register(t{binding});\n"),
+            Syntax::Osl | Syntax::Rust => unreachable!("a library has its tables as constants"),
         }
     }
 
@@ -244,7 +321,7 @@ impl Dialect {
     pub fn typed(&self, ty: &str, name: &str) -> String {
         match self.syntax {
             Syntax::Wgsl | Syntax::Rust => format!("{name}: {ty}"),
-            Syntax::C => format!("{ty} {name}"),
+            Syntax::C | Syntax::Hlsl | Syntax::Osl => format!("{ty} {name}"),
         }
     }
 }

@@ -11,8 +11,10 @@ use pavo_shade::{Program, Type};
 
 const COMPUTE_WGSL: &str = include_str!("../../../templates/entry/compute.wgsl");
 const COMPUTE_GLSL: &str = include_str!("../../../templates/entry/compute.glsl");
+const COMPUTE_HLSL: &str = include_str!("../../../templates/entry/compute.hlsl");
 const SPHERE_WGSL: &str = include_str!("../../../templates/entry/sphere.wgsl");
 const SPHERE_GLSL: &str = include_str!("../../../templates/entry/sphere.glsl");
+const SPHERE_HLSL: &str = include_str!("../../../templates/entry/sphere.hlsl");
 const TRIANGLE_WGSL: &str = include_str!("../../../templates/entry/triangle.wgsl");
 
 /// How the fragment entry fills the inputs of a surface.
@@ -43,13 +45,21 @@ const GEOMETRY: [&str; 4] = ["normal", "light_direction", "view_direction", "n_d
 
 pub fn compute(program: &Program, options: &Options) -> Result<String, EmitError> {
     let dialect = dialect_with(Form::Compute, options)?;
-    let template = if dialect.syntax == Syntax::Wgsl { COMPUTE_WGSL } else { COMPUTE_GLSL };
+    let template = match dialect.syntax {
+        Syntax::Wgsl => COMPUTE_WGSL,
+        Syntax::Hlsl => COMPUTE_HLSL,
+        _ => COMPUTE_GLSL,
+    };
     render("compute", template, program, options, &Sphere::default())
 }
 
 pub fn fragment(program: &Program, options: &Options, sphere: &Sphere) -> Result<String, EmitError> {
     let dialect = dialect_with(Form::Fragment, options)?;
-    let template = if dialect.syntax == Syntax::Wgsl { SPHERE_WGSL } else { SPHERE_GLSL };
+    let template = match dialect.syntax {
+        Syntax::Wgsl => SPHERE_WGSL,
+        Syntax::Hlsl => SPHERE_HLSL,
+        _ => SPHERE_GLSL,
+    };
     render("fragment", template, program, options, sphere)
 }
 
@@ -169,6 +179,6 @@ fn value_over_sphere(dialect: &Dialect, sphere: &Sphere, name: &str, ty: Type) -
     if input.low == input.high {
         constant(&input.low)
     } else {
-        format!("mix({}, {}, pattern)", constant(&input.low), constant(&input.high))
+        format!("{}({}, {}, pattern)", dialect.mix, constant(&input.low), constant(&input.high))
     }
 }

@@ -71,6 +71,11 @@ impl Expressions<'_> {
         if let Op::Unary(UnaryOp::Half, operand) = node.op {
             return self.held_in_half(operand, node.ty);
         }
+        if self.dialect.syntax.fills_by_braces()
+            && let Some(written) = self.in_parts(node)
+        {
+            return written;
+        }
         let call = |name: &str, operands: &[u32]| {
             let operands: Vec<String> = operands.iter().map(|&operand| self.whole(operand)).collect();
             (format!("{name}({})", operands.join(", ")), Binding::Primary)
@@ -98,7 +103,7 @@ impl Expressions<'_> {
             },
             Op::Select(condition, if_true, if_false) => self.select(condition, if_true, if_false),
             Op::Clamp(x, low, high) => call("clamp", &[x, low, high]),
-            Op::Mix(a, b, t) => call("mix", &[a, b, t]),
+            Op::Mix(a, b, t) => call(self.dialect.mix, &[a, b, t]),
             Op::Vec3(x, y, z) => call(self.dialect.type_name(Type::Vec3), &[x, y, z]),
             Op::Splat(value) => call(self.dialect.type_name(Type::Vec3), &[value]),
             Op::Fetch(table, row) => {
@@ -197,7 +202,7 @@ impl Expressions<'_> {
                 let operand = |index: u32| self.at_least(index, Binding::Primary);
                 (format!("{} {vector} {}", operand(a), operand(b)), binding)
             }
-            (Syntax::C, _) => {
+            _ => {
                 // GLSL has no operator for this: a choice between the two.
                 let (a, b) = (self.whole(a), self.whole(b));
                 let text = if vector == "&" {
@@ -220,12 +225,12 @@ impl Expressions<'_> {
             (Syntax::C, true) => {
                 (format!("mix({if_false_text}, {if_true_text}, {})", self.whole(condition)), Binding::Primary)
             }
-            (Syntax::C, false) => {
+            (Syntax::C | Syntax::Hlsl | Syntax::Osl, false) => {
                 let operand = |index: u32| self.at_least(index, Binding::Or);
                 let text = format!("{} ? {} : {}", operand(condition), operand(if_true), operand(if_false));
                 (text, Binding::Choice)
             }
-            (Syntax::Rust, _) => unreachable!("Rust has its own way to choose"),
+            (Syntax::Rust | Syntax::Hlsl | Syntax::Osl, _) => unreachable!("they have their own ways to choose"),
         }
     }
 }
@@ -236,6 +241,7 @@ pub fn vector(dialect: &Dialect, components: [f64; 3]) -> String {
     let [x, y, z] = components.map(|component| literal(dialect, component).0);
     match dialect.syntax {
         Syntax::Rust => rust::vector(name, [&x, &y, &z]),
+        Syntax::Hlsl => format!("{name}({x}, {y}, {z})"),
         _ if x == y && y == z => format!("{name}({x})"),
         _ => format!("{name}({x}, {y}, {z})"),
     }

@@ -57,6 +57,8 @@ pub struct Body {
     pub statements: Vec<String>,
     /// The results as expressions.
     pub results: Vec<String>,
+    /// A free name for the struct of the results.
+    pub returned: String,
 }
 
 /// Prints the inside of a function of this number; that of the program itself has none.
@@ -64,6 +66,7 @@ pub fn body(context: &Context<'_>, definition: &Definition, number: usize) -> Bo
     let mut namer = context.outer.clone();
     let passed = context.passed.get(number).map_or(&[][..], Vec::as_slice);
     let (head, parameters) = head_parameters(context, definition, passed, &mut namer);
+    let returned = if context.dialect.syntax.fills_by_braces() { namer.fresh("returned") } else { String::new() };
     let locals = locals(context, definition, &parameters, namer);
     let expressions = Expressions {
         dialect: context.dialect,
@@ -109,7 +112,7 @@ pub fn body(context: &Context<'_>, definition: &Definition, number: usize) -> Bo
         statements.push(format!("{statement}{place}"));
     }
     let results = definition.results.iter().map(|result| result_text(&expressions, result)).collect();
-    Body { head, parameters, statements, results }
+    Body { head, parameters, statements, results, returned }
 }
 
 fn result_text(expressions: &Expressions<'_>, result: &Output) -> String {
@@ -326,13 +329,13 @@ pub fn head(dialect: &Dialect, name: &str, parameters: &[HeadParameter], result:
         parameters.iter().map(|parameter| dialect.typed(&parameter.type_name, &parameter.name)).collect();
     let (before, after) = match dialect.syntax {
         Syntax::Wgsl => (format!("fn {name}("), format!(") -> {result} {{")),
-        Syntax::C => (format!("{result} {name}("), ") {".to_owned()),
+        Syntax::C | Syntax::Hlsl | Syntax::Osl => (format!("{result} {name}("), ") {".to_owned()),
         Syntax::Rust => (format!("pub fn {name}("), format!(") -> {result} {{")),
     };
     let line = format!("{before}{}{after}", typed.join(", "));
     if line.len() <= WIDTH {
         return line;
     }
-    let comma = if dialect.syntax == Syntax::C { "" } else { "," };
+    let comma = if dialect.syntax.is_like_c() { "" } else { "," };
     format!("{before}\n    {}{comma}\n{after}", typed.join(",\n    "))
 }

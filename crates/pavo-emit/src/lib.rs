@@ -1,4 +1,4 @@
-//! Prints a shader graph as WGSL, GLSL and Rust.
+//! Prints a shader graph as WGSL, GLSL, HLSL, OSL and Rust.
 //!
 //! One printer serves all languages; what differs between them stands in a table ([`dialect`]). The text is what a
 //! careful person would write: the names of the Rust source, a comment per function with meaning, units and source,
@@ -14,6 +14,7 @@ mod half;
 mod lines;
 mod literal;
 mod namer;
+mod parts;
 mod passing;
 mod rust;
 mod text;
@@ -37,14 +38,25 @@ pub enum Language {
     Glsl330,
     /// GLSL ES 3.00.
     Essl300,
+    /// HLSL, as Direct3D, Unity and Unreal read it: shader model 5 or newer.
+    Hlsl,
+    /// The Open Shading Language: functions for shaders of Cycles and other renderers.
+    Osl,
     /// Rust with the vectors of glam 0.29 or newer: functions for the CPU.
     Rust,
 }
 
 impl Language {
     /// All languages.
-    pub const ALL: [Language; 5] =
-        [Language::Wgsl, Language::Glsl450, Language::Glsl330, Language::Essl300, Language::Rust];
+    pub const ALL: [Language; 7] = [
+        Language::Wgsl,
+        Language::Glsl450,
+        Language::Glsl330,
+        Language::Essl300,
+        Language::Hlsl,
+        Language::Osl,
+        Language::Rust,
+    ];
 
     /// The name as it is written on the command line and in scenes.
     pub fn name(self) -> &'static str {
@@ -108,6 +120,12 @@ pub enum EmitError {
     /// The language has no entry point whose cost is counted.
     #[error("{language} is not compiled for a graphics card here; the cost is counted of wgsl and glsl450")]
     NoCost {
+        /// The name of the language.
+        language: &'static str,
+    },
+    /// The language has no entry point that evaluates points from a texture.
+    #[error("{language} is not run by OpenGL; glsl330 and essl300 are")]
+    NoPoints {
         /// The name of the language.
         language: &'static str,
     },
@@ -196,6 +214,17 @@ pub fn emit_cost(program: &Program, options: &Options) -> Result<String, EmitErr
 /// If the language is neither WGSL nor GLSL 4.50.
 pub fn emit_cost_baseline(program: &Program, options: &Options) -> Result<String, EmitError> {
     cost::baseline(program, options)
+}
+
+/// The functions of a program with a fragment entry for OpenGL that evaluates one point at each pixel.
+///
+/// The texture `inputs` has four numbers a texel, and for the pixel (x, y) texels in row y: those of its inputs, in the
+/// order of the program's, from x times their count on. The sum of the outputs is written to location 0.
+///
+/// # Errors
+/// If the language is neither GLSL 3.30 nor GLSL ES 3.00.
+pub fn emit_points(program: &Program, options: &Options) -> Result<String, EmitError> {
+    cost::points(program, options)
 }
 
 /// The functions of a program within a text from a template: a function with a signature of somebody else's, that

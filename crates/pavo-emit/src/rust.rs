@@ -9,6 +9,7 @@ use crate::dialect::Dialect;
 use crate::literal;
 use crate::text::{Struct, field_doc, split_place};
 use crate::uniform::padding;
+pub use expression::named_operands;
 pub use layout::statement;
 
 /// How many parameters clippy takes without a word.

@@ -43,7 +43,7 @@ impl Names {
     pub fn new(program: &Program, options: &Options) -> Self {
         let prefix = &options.prefix;
         let dialect = Dialect::of(options.language);
-        let mut outer = Namer::default();
+        let mut outer = Namer::of(dialect);
         let functions: Vec<String> =
             program.functions().iter().map(|function| outer.fresh(&format!("{prefix}{}", function.name))).collect();
         let printed_table = |table: &Table| {
@@ -58,7 +58,7 @@ impl Names {
                 structs.push(None);
                 continue;
             }
-            let mut fields = Namer::default();
+            let mut fields = Namer::of(dialect);
             let fields: Vec<(String, Type, String)> = function
                 .results
                 .iter()
@@ -173,8 +173,10 @@ fn rows(dialect: &Dialect, table: &Table, name: &str) -> String {
         let comma = if is_rust || index + 1 < table.rows.len() { "," } else { "" };
         let entry = vector(dialect, *row) + comma;
         if is_rust || column + 1 + entry.len() > WIDTH {
-            text.push_str("\n    ");
-            column = 4;
+            let indentation = if dialect.syntax == Syntax::Osl { 8 } else { 4 };
+            text.push('\n');
+            text.push_str(&" ".repeat(indentation));
+            column = indentation;
         } else {
             text.push(' ');
             column += 1;
@@ -193,7 +195,7 @@ pub fn structure(dialect: &Dialect, made: &Struct) -> String {
     if dialect.syntax == Syntax::Rust {
         return rust::structure(dialect, made);
     }
-    let (end, close) = if dialect.syntax == Syntax::C { (";", "};\n") } else { (",", "}\n") };
+    let (end, close) = if dialect.syntax.is_like_c() { (";", "};\n") } else { (",", "}\n") };
     let mut text = format!("struct {} {{\n", made.name);
     for (name, ty, doc) in &made.fields {
         text.push_str(&field_doc(dialect, doc));
@@ -211,7 +213,7 @@ pub fn field_doc(dialect: &Dialect, doc: &String) -> String {
 }
 
 fn function(context: &Context<'_>, definition: &Definition, index: usize) -> String {
-    let Body { head, statements, results, .. } = function::body(context, definition, index);
+    let Body { head, statements, results, returned, .. } = function::body(context, definition, index);
     let dialect = context.dialect;
     let mut doc = Paragraph::of_doc(dialect, &definition.doc);
     let documented: Vec<Paragraph> = head
@@ -226,7 +228,7 @@ fn function(context: &Context<'_>, definition: &Definition, index: usize) -> Str
     let made = context.structs[index].as_ref();
     let result = made.map_or(dialect.type_name(definition.results[0].ty), |made| &made.name);
     let mut text = doc_comment(dialect, &doc);
-    let statements = finished(dialect, statements, made, results);
+    let statements = finished(dialect, statements, made, results, &returned);
     if dialect.syntax == Syntax::Rust {
         text.push_str(&rust::attributes(head.len(), &statements.join("\n")));
     }
@@ -255,11 +257,16 @@ fn finished(
     mut statements: Vec<String>,
     made: Option<&Struct>,
     mut results: Vec<String>,
+    returned: &str,
 ) -> Vec<String> {
     if dialect.syntax == Syntax::Rust {
         return rust::finished(statements, made, results);
     }
     let value = match made {
+        Some(made) if dialect.syntax.fills_by_braces() => {
+            statements.push(format!("{} {returned} = {{ {} }};", made.name, results.join(", ")));
+            returned.to_owned()
+        }
         Some(made) => format!("{}({})", made.name, results.join(", ")),
         None => results.swap_remove(0),
     };

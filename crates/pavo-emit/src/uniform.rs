@@ -44,12 +44,13 @@ fn numbers(ty: Type) -> usize {
 }
 
 /// The struct of a program's inputs that are uniform over a material, in the order of the inputs; nothing where there
-/// are none. In Rust it has a constructor, and the bytes of the buffer.
+/// are none. In Rust it has a constructor, and the bytes of the buffer. There is none in HLSL, whose constant buffers pack
+/// otherwise, and in OSL, which has no buffers.
 pub fn uniforms(program: &Program, options: &Options) -> Option<String> {
     let dialect = Dialect::of(options.language);
     let mut names = Names::new(program, options);
     let uniform: Vec<&Input> = program.inputs().iter().filter(|input| input.rate == Rate::Material).collect();
-    if uniform.is_empty() {
+    if uniform.is_empty() || matches!(dialect.syntax, Syntax::Hlsl | Syntax::Osl) {
         return None;
     }
     let fields = uniform.iter().map(|input| (input.name.clone(), input.ty, described(input))).collect();

@@ -2,6 +2,7 @@
 
 use crate::dialect::{Dialect, Syntax};
 use crate::entry::main_body;
+use crate::expression::vector;
 use crate::literal::number;
 use crate::text::{Names, Tables, functions, header};
 use crate::{EmitError, Options};
@@ -34,8 +35,8 @@ pub fn wrapped(program: &Program, options: &Options, wrapper: &Wrapper<'_>) -> R
         .zip(wrapper.given)
         .map(|((input, name), given)| {
             let declared = match dialect.syntax {
-                Syntax::C => format!("{} {name}", dialect.type_name(input.ty)),
                 Syntax::Wgsl | Syntax::Rust => format!("let {name}"),
+                _ => format!("{} {name}", dialect.type_name(input.ty)),
             };
             context! { name, declared, value => held(dialect, input, given) }
         })
@@ -58,7 +59,7 @@ pub fn wrapped(program: &Program, options: &Options, wrapper: &Wrapper<'_>) -> R
 /// An expression held within the range of its input: guards are left out for what lies outside.
 fn held(dialect: &Dialect, input: &Input, given: &str) -> String {
     let bound = |value: f64| match input.ty {
-        Type::Vec3 => format!("{}({})", dialect.type_name(input.ty), number(value)),
+        Type::Vec3 => vector(dialect, [value; 3]),
         _ => number(value),
     };
     format!("clamp({given}, {}, {})", bound(input.low), bound(input.high))

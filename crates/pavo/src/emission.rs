@@ -105,6 +105,19 @@ pub fn cost_baseline<'a>(
     pavo_emit::emit_cost_baseline(&program, &options(shading, emission.into(), Form::Fragment, program.inputs()))
 }
 
+/// The functions of a quantity with a fragment entry for OpenGL that evaluates one point at each pixel, from a texture.
+///
+/// # Errors
+/// If the language is neither GLSL 3.30 nor GLSL ES 3.00.
+pub fn points_fragment<'a>(
+    shading: &Shading,
+    quantity: ShadingQuantity,
+    emission: impl Into<Emission<'a>>,
+) -> Result<String, EmitError> {
+    let program = shading.program(quantity);
+    pavo_emit::emit_points(&program, &options(shading, emission.into(), Form::Fragment, program.inputs()))
+}
+
 /// The reflectance behind a signature of somebody else's. `facts` are further lines of the comment at its top.
 ///
 /// # Errors

@@ -58,7 +58,8 @@ pub mod tuning;
 
 pub use build::{Build, BuildError, Built};
 pub use emission::{
-    Emission, compute, cost, cost_baseline, fragment, library, library_quantity, prepared_bytes, uniforms,
+    Emission, compute, cost, cost_baseline, fragment, library, library_quantity, points_fragment, prepared_bytes,
+    uniforms,
 };
 pub use fitting::{FitCache, NoCache};
 pub use inputs::ShadingQuantity;

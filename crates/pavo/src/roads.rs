@@ -1,9 +1,10 @@
-//! The three roads by which emitted code runs on a device.
+//! The roads by which emitted code runs on a device.
 
 use crate::inputs::ShadingQuantity;
 use crate::points::columns;
 use crate::{Shading, compute};
-use pavo_check::{CheckError, ComputeShader, Device, Stage, glsl_to_spirv, judge_spirv, judge_text, wgsl_to_spirv};
+use pavo_check::wgsl_to_spirv;
+use pavo_check::{CheckError, ComputeShader, Device, Stage, glsl_to_spirv, hlsl_to_spirv, judge_spirv, judge_text};
 use pavo_emit::{Dialect, EmitError, Form, Language, WORKGROUP_SIZE};
 use pavo_shade::{Input, Table};
 use thiserror::Error;
@@ -15,19 +16,22 @@ pub enum Road {
     Wgsl,
     /// The emitted GLSL 4.50, made SPIR-V by glslang.
     Glsl,
+    /// The emitted HLSL, made SPIR-V by glslang.
+    Hlsl,
     /// The emitted SPIR-V as it is.
     Spirv,
 }
 
 impl Road {
     /// All roads.
-    pub const ALL: [Road; 3] = [Road::Wgsl, Road::Glsl, Road::Spirv];
+    pub const ALL: [Road; 4] = [Road::Wgsl, Road::Glsl, Road::Hlsl, Road::Spirv];
 
     /// The name in reports.
     pub fn name(self) -> &'static str {
         match self {
             Road::Wgsl => "wgsl by naga",
             Road::Glsl => "glsl450 by glslang",
+            Road::Hlsl => "hlsl by glslang",
             Road::Spirv => "spirv as emitted",
         }
     }
@@ -40,6 +44,7 @@ impl Road {
         let language = match self {
             Road::Wgsl | Road::Spirv => Language::Wgsl,
             Road::Glsl => Language::Glsl450,
+            Road::Hlsl => Language::Hlsl,
         };
         let name = format!("{}.{}", shading.scene().name, Dialect::of(language).extension);
         let text = compute(shading, quantity, language)?;
@@ -48,6 +53,7 @@ impl Road {
             // The emitted SPIR-V is naga's of the emitted WGSL.
             Road::Wgsl | Road::Spirv => wgsl_to_spirv(&name, &text)?,
             Road::Glsl => glsl_to_spirv(&name, &text, Stage::Compute)?,
+            Road::Hlsl => hlsl_to_spirv(&name, &text, Stage::Compute)?,
         };
         judge_spirv(&name, &words)?;
         Ok(words)
@@ -134,6 +140,14 @@ pub fn evaluate(
     points: &[Vec<f32>],
 ) -> Result<Vec<[f32; 3]>, RoadError> {
     Prepared::new(road, shading, quantity)?.evaluate(device, &points.concat())
+}
+
+/// Of each point the numbers that the program of a quantity takes, in its order: what it does not depend on is left out.
+///
+/// A point has a number for each component of [`Shading::inputs`].
+pub fn numbers_taken(shading: &Shading, quantity: ShadingQuantity, points: &[Vec<f32>]) -> Vec<Vec<f32>> {
+    let columns = columns(&shading.inputs(quantity), shading.program(quantity).inputs());
+    points.iter().map(|point| columns.iter().map(|&column| point[column]).collect()).collect()
 }
 
 /// A table as a buffer of [`Road::spirv`] holds it: a fourth number after each three.

@@ -17,11 +17,13 @@ pub enum Target {
 
 impl Target {
     /// All targets.
-    pub const ALL: [Target; 7] = [
+    pub const ALL: [Target; 9] = [
         Target::Text(Language::Wgsl),
         Target::Text(Language::Glsl450),
         Target::Text(Language::Glsl330),
         Target::Text(Language::Essl300),
+        Target::Text(Language::Hlsl),
+        Target::Text(Language::Osl),
         Target::Text(Language::Rust),
         Target::Spirv,
         Target::SpirvAssembly,

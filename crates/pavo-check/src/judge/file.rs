@@ -4,6 +4,8 @@ use std::path::Path;
 
 use super::glsl::{judge, judge_glsl, read, required_version};
 use super::glsl_source::GlslVersion;
+use super::hlsl::judge_hlsl;
+use super::osl::judge_osl;
 use super::rust::judge_rust;
 use super::spirv::{assemble_spirv, judge_spirv, words_of_bytes};
 use super::verdict::{Judge, Stage, Verdict};
@@ -11,7 +13,7 @@ use super::wgsl::judge_wgsl;
 use crate::CheckError;
 
 /// The extensions of the files that [`judge_file`] reads.
-pub const FILE_EXTENSIONS: [&str; 8] = ["wgsl", "glsl", "vert", "frag", "comp", "spv", "spvasm", "rs"];
+pub const FILE_EXTENSIONS: [&str; 10] = ["wgsl", "glsl", "vert", "frag", "comp", "hlsl", "osl", "spv", "spvasm", "rs"];
 
 /// Judges a file; its extension tells what it is.
 ///
@@ -22,6 +24,8 @@ pub const FILE_EXTENSIONS: [&str; 8] = ["wgsl", "glsl", "vert", "frag", "comp", 
 ///   vertex, anything else for fragment shaders.
 /// - `.spv`: a SPIR-V module.
 /// - `.spvasm`: assembled first.
+/// - `.hlsl`: without a `main` a library; with one for compute where it has `numthreads`, else for fragments.
+/// - `.osl`: functions, read as HLSL with OSL's names.
 /// - `.rs`: a Rust module, by its syntax.
 ///
 /// # Errors
@@ -50,6 +54,8 @@ pub fn judge_file(path: impl AsRef<Path>) -> Result<Vec<Verdict>, CheckError> {
             let words = assemble_spirv(&file, &read_text(path)?)?;
             judge_spirv(&file, &words).map(|verdict| vec![verdict])
         }
+        Some("hlsl") => judge_hlsl(None, &file, &read_text(path)?),
+        Some("osl") => judge_osl(&file, &read_text(path)?),
         Some("rs") => judge_rust(&file, &read_text(path)?),
         _ => {
             let expected = FILE_EXTENSIONS.map(|name| format!(".{name}")).join(", ");

@@ -23,7 +23,7 @@ impl GlslVersion {
     /// The version of a language of the printer; `None` where it is no GLSL.
     pub fn of_language(language: Language) -> Option<GlslVersion> {
         match language {
-            Language::Wgsl | Language::Rust => None,
+            Language::Wgsl | Language::Hlsl | Language::Osl | Language::Rust => None,
             Language::Glsl450 => Some(GlslVersion::GLSL_450),
             Language::Glsl330 => Some(GlslVersion { number: 330, embedded: false }),
             Language::Essl300 => Some(GlslVersion { number: 300, embedded: true }),
@@ -89,7 +89,7 @@ impl<'text> GlslSource<'text> {
 
     /// The text as it is.
     pub fn unchanged(&self) -> JudgedText {
-        JudgedText { text: self.text.to_owned(), prepended_lines: 0, own_lines: line_count(self.text) }
+        JudgedText::between("", self.text, "")
     }
 
     /// The text with what a library lacks: a `#version` line, the default precisions of ES, and an empty `main`
@@ -107,11 +107,7 @@ impl<'text> GlslSource<'text> {
             (false, Stage::Compute) => "\nlayout(local_size_x = 1) in;\nvoid main() {}\n",
             (false, Stage::Vertex | Stage::Fragment) => "\nvoid main() {}\n",
         };
-        JudgedText {
-            prepended_lines: line_count(&prefix),
-            own_lines: line_count(self.text),
-            text: format!("{prefix}{}{suffix}", self.text),
-        }
+        JudgedText::between(&prefix, self.text, suffix)
     }
 }
 
@@ -125,6 +121,15 @@ pub(super) struct JudgedText {
 }
 
 impl JudgedText {
+    /// A text with something before and after it.
+    pub fn between(prefix: &str, text: &str, suffix: &str) -> JudgedText {
+        JudgedText {
+            text: format!("{prefix}{text}{suffix}"),
+            prepended_lines: line_count(prefix),
+            own_lines: line_count(text),
+        }
+    }
+
     /// The line of the caller's text for a line of the judged text, both counted from 1. What stands before or after
     /// the caller's text counts to its first or last line.
     pub fn own_line(&self, judged_line: u32) -> u32 {
@@ -138,7 +143,7 @@ fn line_count(text: &str) -> u32 {
 }
 
 /// The text with every comment replaced by spaces, line ends kept.
-fn without_comments(text: &str) -> String {
+pub(super) fn without_comments(text: &str) -> String {
     #[derive(PartialEq)]
     enum Within {
         Code,
@@ -197,7 +202,7 @@ fn words(code: &str) -> impl Iterator<Item = &str> {
 }
 
 /// Whether `void main (` stands in the code.
-fn declares_main(code: &str) -> bool {
+pub(super) fn declares_main(code: &str) -> bool {
     code.match_indices("main").any(|(start, name)| {
         let before = code[..start].trim_end();
         let after = code[start + name.len()..].trim_start();

@@ -24,6 +24,11 @@ pub(crate) use implementation::version;
 pub(super) enum Task {
     /// Judge by the rules of the text's own version, linking included.
     Classic,
+    /// Read HLSL, judge by the rules of Vulkan 1.1 and write SPIR-V 1.3. The entry point is `main`.
+    Hlsl {
+        /// Write functions that no entry point calls, too.
+        keep_uncalled: bool,
+    },
     /// Judge by the rules of Vulkan 1.1 and write SPIR-V 1.3.
     Vulkan {
         /// Write functions that no entry point calls, too.
@@ -46,7 +51,7 @@ pub(super) struct Answer {
     pub version: String,
     /// Its messages, as it prints them.
     pub log: String,
-    /// The SPIR-V, for [`Task::Vulkan`] and a text that passed.
+    /// The SPIR-V, for [`Task::Vulkan`] and [`Task::Hlsl`] and a text that passed.
     pub spirv: Option<Vec<u32>>,
 }
 
@@ -65,6 +70,11 @@ impl Run {
 impl Answer {
     /// The verdict, in terms of the caller's own text.
     pub fn verdict(&self, file: &str, judged: &JudgedText) -> Verdict {
+        self.verdict_of(Judge::Glslang, file, judged)
+    }
+
+    /// The same, of glslang in one of its roles.
+    pub fn verdict_of(&self, judge: Judge, file: &str, judged: &JudgedText) -> Verdict {
         let mut messages = messages::parse(&self.log);
         messages.retain(|message| message.is_error != self.passed);
         if messages.is_empty() && !self.passed {
@@ -75,13 +85,8 @@ impl Answer {
             line: message.line.map(|line| judged.own_line(line)),
             column: message.column,
             message: message.text,
-            judge: Judge::Glslang,
+            judge,
         });
-        Verdict {
-            judge: Judge::Glslang,
-            version: self.version.clone(),
-            passed: self.passed,
-            diagnostics: diagnostics.collect(),
-        }
+        Verdict { judge, version: self.version.clone(), passed: self.passed, diagnostics: diagnostics.collect() }
     }
 }

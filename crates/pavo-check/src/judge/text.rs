@@ -4,6 +4,8 @@ use pavo_emit::{Form, Language};
 
 use super::glsl::{judge, read, refusal, required_version};
 use super::glsl_source::GlslVersion;
+use super::hlsl::judge_hlsl;
+use super::osl::judge_osl;
 use super::rust::judge_rust;
 use super::verdict::{Stage, Verdict};
 use super::wgsl::judge_wgsl;
@@ -16,7 +18,8 @@ const LIBRARY_STAGE: Stage = Stage::Fragment;
 ///
 /// `file` is the name to use in messages; nothing is read from it. A complete GLSL form must carry the language's own
 /// `#version`, a complete WGSL form an entry point of its stage. A GLSL library is judged with a `#version` line, the
-/// default precisions of ES, and an empty `main` around it, as far as it lacks them; lines are those of `text`.
+/// default precisions of ES, and an empty `main` around it, as far as it lacks them, one of HLSL with an empty `main`;
+/// lines are those of `text`.
 ///
 /// # Errors
 /// [`CheckError::Refused`] with the verdicts of all judges when one refuses the text, [`CheckError::Missing`] when
@@ -24,6 +27,12 @@ const LIBRARY_STAGE: Stage = Stage::Fragment;
 pub fn judge_text(language: Language, form: Form, file: &str, text: &str) -> Result<Vec<Verdict>, CheckError> {
     if language == Language::Rust {
         return judge_rust(file, text);
+    }
+    if language == Language::Hlsl {
+        return judge_hlsl(Stage::of_form(form), file, text);
+    }
+    if language == Language::Osl {
+        return judge_osl(file, text);
     }
     let Some(expected) = GlslVersion::of_language(language) else {
         return judge_wgsl(Stage::of_form(form), file, text);

@@ -13,8 +13,11 @@ use crate::CheckError;
 pub enum Judge {
     /// naga, the shader translator of wgpu and Firefox: reads WGSL and GLSL 4.40 to 4.60.
     Naga,
-    /// glslang, the reference front end of Khronos for GLSL.
+    /// glslang, the reference front end of Khronos for GLSL, with one for HLSL.
     Glslang,
+    /// glslang's front end for HLSL, reading OSL with its names defined as those of HLSL: the nearest judge of OSL that is
+    /// at hand without a renderer.
+    GlslangForOsl,
     /// spirv-val, the validator of SPIRV-Tools.
     SpirvVal,
     /// syn, the parser of Rust that macros use.
@@ -27,6 +30,7 @@ impl Judge {
         match self {
             Judge::Naga => "naga",
             Judge::Glslang => "glslang",
+            Judge::GlslangForOsl => "glslang, read as HLSL",
             Judge::SpirvVal => "spirv-val",
             Judge::Syn => "syn",
         }
@@ -35,7 +39,7 @@ impl Judge {
     /// The name, and what it checks where that is less than one expects.
     pub fn described(self) -> String {
         match self {
-            Judge::Syn => format!("{} ({})", self.name(), self.checks()),
+            Judge::Syn | Judge::GlslangForOsl => format!("{} ({})", self.name(), self.checks()),
             _ => self.name().to_owned(),
         }
     }
@@ -44,6 +48,7 @@ impl Judge {
     pub fn checks(self) -> &'static str {
         match self {
             Judge::Naga | Judge::Glslang => "syntax and types",
+            Judge::GlslangForOsl => "syntax and types, by the rules of HLSL with OSL's names; no OSL compiler",
             Judge::SpirvVal => "validity for Vulkan 1.1",
             Judge::Syn => "syntax alone",
         }

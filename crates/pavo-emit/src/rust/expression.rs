@@ -1,21 +1,18 @@
 //! Expressions where Rust writes them in another way than the shading languages.
 
-use crate::dialect::{Dialect, Syntax};
 use crate::expression::{Binding, Expressions};
 use crate::function::Local;
 use crate::text::PrintedTable;
 use pavo_shade::{BinaryOp, Comparison, Definition, Node, Op, Type, UnaryOp, operands};
 
-impl Dialect {
-    /// The operands of a node, as often as its text names them.
-    pub fn named_operands(&self, definition: &Definition, node: &Node) -> Vec<u32> {
-        match node.op {
-            Op::Mix(a, b, part) if self.syntax == Syntax::Rust => match scalar_part(definition, part) {
-                Some(number) => vec![a, b, number],
-                None => vec![a, b, part, part],
-            },
-            op => operands(op).collect(),
-        }
+/// The operands of a node, as often as its text in Rust names them.
+pub fn named_operands(definition: &Definition, node: &Node) -> Vec<u32> {
+    match node.op {
+        Op::Mix(a, b, part) => match scalar_part(definition, part) {
+            Some(number) => vec![a, b, number],
+            None => vec![a, b, part, part],
+        },
+        op => operands(op).collect(),
     }
 }
 

@@ -35,6 +35,8 @@ fn constant(language: Language) -> Option<(&'static str, &'static str)> {
         Language::Glsl450 => Some(("GLSL_450", "GLSL 4.50")),
         Language::Glsl330 => Some(("GLSL_330", "GLSL 3.30")),
         Language::Essl300 => Some(("ESSL_300", "GLSL ES 3.00")),
+        Language::Hlsl => Some(("HLSL", "HLSL")),
+        Language::Osl => Some(("OSL", "OSL")),
         Language::Rust => None,
     }
 }

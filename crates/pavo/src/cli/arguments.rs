@@ -528,6 +528,8 @@ pub enum Evaluator {
     LavapipeWgsl,
     /// The emitted GLSL 4.50, by glslang, on lavapipe.
     LavapipeGlsl,
+    /// The emitted HLSL, by glslang, on lavapipe.
+    LavapipeHlsl,
     /// The emitted SPIR-V on lavapipe.
     LavapipeSpirv,
 }

@@ -71,6 +71,7 @@ fn evaluate(
         Evaluator::CpuF32 => Ok(double(source.shading.evaluate_each_f32(quantity, &single()))),
         Evaluator::LavapipeWgsl => on_lavapipe(Road::Wgsl),
         Evaluator::LavapipeGlsl => on_lavapipe(Road::Glsl),
+        Evaluator::LavapipeHlsl => on_lavapipe(Road::Hlsl),
         Evaluator::LavapipeSpirv => on_lavapipe(Road::Spirv),
     }
 }

@@ -16,7 +16,7 @@ pub const METALS: &[&str] = &pavo_spectra::OpticalConstants::ABSORBING_NAMES;
 pub const FILM_MATERIALS: &[&str] = &pavo_spectra::OpticalConstants::DIELECTRIC_NAMES;
 
 /// The languages that can be emitted.
-pub const TARGETS: &[&str] = &["wgsl", "glsl450", "glsl330", "essl300", "rust", "spirv", "spirv-asm"];
+pub const TARGETS: &[&str] = &["wgsl", "glsl450", "glsl330", "essl300", "hlsl", "osl", "rust", "spirv", "spirv-asm"];
 
 /// The languages that are emitted when a scene does not say.
 pub const DEFAULT_TARGETS: &[&str] = &["wgsl", "glsl450", "essl300", "spirv"];
@@ -116,6 +116,11 @@ pub(super) const ALIASES: &[(&str, &str)] = &[
     ("webgl2", "essl300"),
     ("webgpu", "wgsl"),
     ("vulkan", "spirv"),
+    ("directx", "hlsl"),
+    ("unity", "hlsl"),
+    ("unreal", "hlsl"),
+    ("cycles", "osl"),
+    ("blender", "osl"),
     ("rs", "rust"),
 ];
 

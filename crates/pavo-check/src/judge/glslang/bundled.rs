@@ -49,26 +49,41 @@ pub(crate) fn version() -> Option<String> {
     Some(VERSION.to_owned())
 }
 
+/// Vulkan 1.1 with SPIR-V 1.3.
+const VULKAN: Target = Target::Vulkan { version: VulkanVersion::Vulkan1_1, spirv_version: SpirvVersion::SPIRV1_3 };
+
 fn compile(compiler: &Compiler, text: &str, stage: Stage, task: Task) -> Result<Option<Vec<u32>>, GlslangError> {
     let mut messages = ShaderMessage::DEFAULT | ShaderMessage::ENHANCED | ShaderMessage::DISPLAY_ERROR_COLUMN;
     let mut version_profile = None;
+    let mut source_language = SourceLanguage::GLSL;
     let target = match task {
         Task::Classic => Target::None(None),
+        Task::Hlsl { keep_uncalled } => {
+            messages |= ShaderMessage::SPV_RULES | ShaderMessage::VULKAN_RULES | ShaderMessage::READ_HLSL;
+            messages.set(ShaderMessage::KEEP_UNCALLED, keep_uncalled);
+            source_language = SourceLanguage::HLSL;
+            VULKAN
+        }
         Task::Vulkan { keep_uncalled, read_as } => {
             messages |= ShaderMessage::SPV_RULES | ShaderMessage::VULKAN_RULES;
             messages.set(ShaderMessage::KEEP_UNCALLED, keep_uncalled);
             version_profile =
                 read_as.and_then(|version| i32::try_from(version).ok()).map(|version| (version, GlslProfile::Core));
-            Target::Vulkan { version: VulkanVersion::Vulkan1_1, spirv_version: SpirvVersion::SPIRV1_3 }
+            VULKAN
         }
     };
-    let options = CompilerOptions { source_language: SourceLanguage::GLSL, target, version_profile, messages };
+    let options = CompilerOptions { source_language, target, version_profile, messages };
     let source = ShaderSource::from(text);
     let no_defines: Option<&[(&str, Option<&str>)]> = None;
     let input = ShaderInput::new(&source, stage_of(stage), &options, no_defines, None)?;
-    let shader = Shader::new(compiler, input).parse()?;
+    let mut shader = Shader::new(compiler, input);
+    if let Task::Hlsl { .. } = task {
+        shader.entry_point("main");
+        shader.source_entry_point("main");
+    }
+    let shader = shader.parse()?;
     match task {
-        Task::Vulkan { .. } => shader.compile().map(Some),
+        Task::Vulkan { .. } | Task::Hlsl { .. } => shader.compile().map(Some),
         Task::Classic => {
             let mut program = Program::new(compiler);
             program.add_shader(&shader);

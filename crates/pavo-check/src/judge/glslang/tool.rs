@@ -45,6 +45,12 @@ pub(super) fn start(text: &str, stage: Stage, task: Task) -> Result<Pending, Che
     let read_as_version;
     match task {
         Task::Classic => arguments.push("-l"),
+        Task::Hlsl { keep_uncalled } => {
+            arguments.extend(["-D", "-e", "main", "-V", "--target-env", "vulkan1.1", "-o", &output]);
+            if keep_uncalled {
+                arguments.push("--keep-uncalled");
+            }
+        }
         Task::Vulkan { keep_uncalled, read_as } => {
             arguments.extend(["-V", "--target-env", "vulkan1.1", "-o", &output]);
             if keep_uncalled {
@@ -76,7 +82,7 @@ impl Pending {
             }
         };
         let spirv = match self.task {
-            Task::Vulkan { .. } if passed => Some(read_spirv(&spirv_path(&self.folder))?),
+            Task::Vulkan { .. } | Task::Hlsl { .. } if passed => Some(read_spirv(&spirv_path(&self.folder))?),
             _ => None,
         };
         Ok(Answer { passed, version: version_in(&printed).unwrap_or_default(), log: printed, spirv })

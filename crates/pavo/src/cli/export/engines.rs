@@ -17,12 +17,17 @@ macro_rules! templates {
 const TEMPLATES: &[(&str, &str)] = templates![
     "README.md",
     "check.html",
+    "blender/shader.osl",
     "function.glsl",
+    "function.hlsl",
     "function.wgsl",
+    "materialx/function.glsl",
+    "materialx/pavo_thin_film.mtlx",
     "playcanvas/chunk.glsl",
     "playcanvas/chunk.wgsl",
     "three-wgsl/thin-film-material.js",
     "three/iridescence_fragment.glsl",
+    "unity/function.hlsl",
 ];
 
 /// The whole table.
