@@ -9,6 +9,9 @@ use crate::measuring::ended;
 use crate::programs::find_program;
 use crate::workspace::Workspace;
 
+/// A command, and what kind of failure its exit code stands for.
+type Step = (CommandLine, fn(Option<i32>) -> Status);
+
 /// A client in Python.
 pub struct Client {
     /// Its name, and that of its script in `clients`.
@@ -62,7 +65,7 @@ pub fn run(workspace: &Workspace, client: &Client, json: bool) -> Result<(), Fai
         .arguments(["-m", "pip", "install", "--quiet", "--disable-pip-version-check"])
         .arguments(*packages);
     let build = workspace.cargo(&["build", "--quiet", "--package", "pavo"]);
-    let steps: [(CommandLine, fn(Option<i32>) -> Status); 3] =
+    let steps: [Step; 3] =
         [(make, |_| Status::Missing), (install, |_| Status::Missing), (build, |_| Status::CheckFailed)];
     for (command, status) in steps {
         complain(&format!("$ {command}"));
