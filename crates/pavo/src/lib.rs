@@ -36,7 +36,6 @@ mod fixed_film;
 mod inputs;
 mod media;
 mod methods;
-pub mod numerics;
 pub mod points;
 #[cfg(feature = "points")]
 pub mod points_table;
@@ -49,6 +48,8 @@ mod variant;
 
 #[cfg(feature = "cli")]
 pub mod cli;
+#[cfg(feature = "cli")]
+pub mod numerics;
 #[cfg(feature = "cli")]
 pub mod roads;
 #[cfg(feature = "cli")]

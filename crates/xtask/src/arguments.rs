@@ -58,7 +58,8 @@ pub const USAGE: &str = "\
 Usage: cargo xtask <TASK>
 
 Tasks:
-  setup              Install what is missing from the system: glslang, SPIRV-Tools, the Vulkan loader and lavapipe
+  setup              Install what is missing from the system: glslang, SPIRV-Tools, the Vulkan loader, lavapipe,
+                     libEGL and llvmpipe
   demo [SCENE]       Set up, build the command, and run it on a scene: a file, or a name in templates/scenes
                      (soap-bubble where none is given)
   test [--no-setup]  Set up, then check formatting, lints, the build without features, documentation and tests
@@ -71,7 +72,8 @@ Tasks:
                      beside their thin-film shaders: errors, costs, times
   clients [NAME ...] [--json]
                      Install three.js, Babylon.js and PlayCanvas into target/clients, render what `pavo export` writes for
-                     them in a headless Chromium, and compare each pixel with the CPU evaluation
+                     them in a headless Chromium, and compare each pixel with the CPU evaluation; where they are named,
+                     the same in MaterialX (needs xvfb) and blender (downloads 360 MB)
   savings            Print what the emitted code saves where a scene fixes something, as a Markdown table
   help               Print this
 

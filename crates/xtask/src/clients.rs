@@ -1,5 +1,7 @@
 //! Installs the engines that pavo exports for, and renders the exports in them.
 
+mod python;
+
 use std::ffi::OsString;
 use std::path::Path;
 
@@ -9,9 +11,27 @@ use crate::failure::{Failure, Status};
 use crate::measuring::ended;
 use crate::programs::find_program;
 use crate::workspace::Workspace;
+use python::CLIENTS;
 
 /// The packages of npm, at the versions that the exports were made for.
 const PACKAGES: [&str; 4] = ["three@0.187", "@babylonjs/core@9.34", "playcanvas@2.23", "playwright-core@1"];
+
+/// Installs what is asked for and renders: the clients in a browser where none is named, and those in Python by name.
+///
+/// # Errors
+///
+/// What [`in_browser`] and [`python::run`] say.
+pub fn run(workspace: &Workspace, names: &[OsString], json: bool) -> Result<(), Failure> {
+    let (by_python, by_browser): (Vec<OsString>, Vec<OsString>) =
+        names.iter().cloned().partition(|name| CLIENTS.iter().any(|client| name == client.name));
+    if names.is_empty() || !by_browser.is_empty() {
+        in_browser(workspace, &by_browser, json)?;
+    }
+    for client in CLIENTS.iter().filter(|client| by_python.iter().any(|name| name == client.name)) {
+        python::run(workspace, client, json)?;
+    }
+    Ok(())
+}
 
 /// Installs the engines into `target/clients`, builds the command, and has each client render its export on each
 /// device: all of them, or those named. Screenshots are left beside the engines.
@@ -20,7 +40,7 @@ const PACKAGES: [&str; 4] = ["three@0.187", "@babylonjs/core@9.34", "playcanvas@
 ///
 /// npm, node, Chromium or a driver is missing, a package cannot be installed, or a client does not agree with the CPU
 /// evaluation.
-pub fn run(workspace: &Workspace, names: &[OsString], json: bool) -> Result<(), Failure> {
+fn in_browser(workspace: &Workspace, names: &[OsString], json: bool) -> Result<(), Failure> {
     for program in ["npm", "node"] {
         if find_program(program).is_none() {
             return Err(Failure::missing(format!(

@@ -1,6 +1,6 @@
 //! Finding the name that was probably meant.
 
-use super::vocabulary::ALIASES;
+use super::vocabulary::{ALIASES, OTHERS};
 
 /// The allowed name nearest to `word`, where one is near enough to be meant.
 ///
@@ -13,6 +13,9 @@ pub(super) fn nearest<'a>(word: &str, allowed: &[&'a str]) -> Option<&'a str> {
         return None;
     }
     let word = word.to_lowercase();
+    if OTHERS.contains(&word.as_str()) {
+        return None;
+    }
     let same = allowed.iter().find(|name| name.to_lowercase() == word);
     let alias = || {
         let (_, meant) = ALIASES.iter().find(|(other, meant)| *other == word && allowed.contains(meant))?;
@@ -93,7 +96,7 @@ mod tests {
             ("rec2100", SPACES, Some("rec2020")),
             ("glsl", TARGETS, Some("glsl450")),
             ("spv", TARGETS, Some("spirv")),
-            ("hlsl", TARGETS, None),
+            ("hsl", TARGETS, Some("hlsl")),
             ("msl", TARGETS, None),
             ("", TARGETS, None),
         ];

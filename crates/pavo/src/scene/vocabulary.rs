@@ -124,6 +124,9 @@ pub(super) const ALIASES: &[(&str, &str)] = &[
     ("rs", "rust"),
 ];
 
+/// Words that mean something else, and that an edit distance would take for one of ours.
+pub(super) const OTHERS: &[&str] = &["msl"];
+
 /// What bounds a number of the scene, in the words of the message.
 pub(super) struct Limits {
     /// What the number is, with its article.

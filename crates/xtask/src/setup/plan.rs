@@ -99,7 +99,8 @@ mod tests {
                 Root,
                 "run: apt-get update\n\
                  run: DEBIAN_FRONTEND=noninteractive apt-get install -y --no-install-recommends \
-                 -o DPkg::Lock::Timeout=120 glslang-tools spirv-tools libvulkan1 mesa-vulkan-drivers",
+                 -o DPkg::Lock::Timeout=120 glslang-tools spirv-tools libvulkan1 mesa-vulkan-drivers \
+                 libegl1 libgl1-mesa-dri",
             ),
             (
                 "spirv-as, lavapipe",
@@ -135,13 +136,14 @@ mod tests {
                 DNF,
                 "all",
                 Sudo,
-                "install with this:\n  sudo dnf install -y glslang spirv-tools vulkan-loader mesa-vulkan-drivers",
+                "install with this:\n  sudo dnf install -y glslang spirv-tools vulkan-loader mesa-vulkan-drivers libglvnd-egl \
+                 mesa-dri-drivers",
             ),
             (
                 PACMAN,
                 "all",
                 Root,
-                "install with this:\n  pacman -S --needed glslang spirv-tools vulkan-icd-loader vulkan-swrast",
+                "install with this:\n  pacman -S --needed glslang spirv-tools vulkan-icd-loader vulkan-swrast libglvnd mesa",
             ),
             (PACMAN, "lavapipe", SudoWithoutTerminal, "install with this:\n  sudo pacman -S --needed vulkan-swrast"),
             (DNF, "spirv-val", NoSudo, "install with this, as root:\n  dnf install -y spirv-tools"),

@@ -9,7 +9,9 @@ use crate::programs::find_program;
 pub fn is_here(sign: Sign) -> bool {
     match sign {
         Sign::Program(names) => names.iter().any(|name| find_program(name).is_some()),
-        Sign::VulkanLoader => vulkan_loader_opens(),
+        Sign::VulkanLoader => opens(VULKAN_LOADER),
+        Sign::Egl => opens(EGL),
+        Sign::Llvmpipe => has_llvmpipe(),
         Sign::LavapipeManifest => driver_manifests().iter().any(|path| is_lavapipe(path)),
     }
 }
@@ -23,10 +25,31 @@ const VULKAN_LOADER: &str = if cfg!(windows) {
     "libvulkan.so.1"
 };
 
-fn vulkan_loader_opens() -> bool {
-    // SAFETY: opening the system's Vulkan loader runs its initialisers, which is what it is for; nothing in it is
-    // called, and it is closed at once.
-    unsafe { libloading::Library::new(VULKAN_LOADER) }.is_ok()
+/// The file that programs open to use EGL.
+const EGL: &str = if cfg!(windows) {
+    "libEGL.dll"
+} else if cfg!(target_os = "macos") {
+    "libEGL.dylib"
+} else {
+    "libEGL.so.1"
+};
+
+fn opens(library: &str) -> bool {
+    // SAFETY: opening the system's own loader of drivers runs its initialisers, which is what it is for; nothing in it
+    // is called, and it is closed at once.
+    unsafe { libloading::Library::new(library) }.is_ok()
+}
+
+/// Whether Mesa's drivers of OpenGL are in one of the folders of libraries: each as a file of its own, or since Mesa
+/// 24.3 as one.
+fn has_llvmpipe() -> bool {
+    let triple = format!("/usr/lib/{}-linux-gnu", std::env::consts::ARCH);
+    let folders = [&triple, "/usr/lib64", "/usr/lib", "/opt/homebrew/lib", "/usr/local/lib"].map(Path::new);
+    let is_gallium = |entry: std::fs::DirEntry| entry.file_name().to_string_lossy().starts_with("libgallium-");
+    folders.iter().any(|folder| {
+        let is_one = std::fs::read_dir(folder).is_ok_and(|entries| entries.flatten().any(is_gallium));
+        is_one || folder.join("dri/swrast_dri.so").exists()
+    })
 }
 
 /// The manifests of Vulkan drivers where the loader looks for them: "Architecture of the Vulkan Loader Interfaces"

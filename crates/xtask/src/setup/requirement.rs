@@ -22,12 +22,16 @@ pub enum Sign {
     Program(&'static [&'static str]),
     /// The Vulkan loader can be opened as a shared library.
     VulkanLoader,
+    /// libEGL can be opened as a shared library.
+    Egl,
+    /// Mesa's driver of OpenGL for the CPU is where libEGL looks for drivers.
+    Llvmpipe,
     /// Lavapipe's manifest is where the Vulkan loader looks for drivers.
     LavapipeManifest,
 }
 
 /// Everything that is needed, in the order in which it is told.
-pub const REQUIREMENTS: [Requirement; 6] = [
+pub const REQUIREMENTS: [Requirement; 8] = [
     Requirement {
         name: "glslangValidator",
         // Later releases call it glslang, and keep the old name as a link where the packager lets them.
@@ -58,6 +62,18 @@ pub const REQUIREMENTS: [Requirement; 6] = [
             pacman: "vulkan-swrast",
             brew: "mesa",
         },
+        source: "https://docs.mesa3d.org/drivers/llvmpipe.html",
+    },
+    Requirement {
+        name: "libEGL",
+        sign: Sign::Egl,
+        packages: Packages { apt: "libegl1", dnf: "libglvnd-egl", pacman: "libglvnd", brew: "mesa" },
+        source: "https://gitlab.freedesktop.org/glvnd/libglvnd",
+    },
+    Requirement {
+        name: "llvmpipe",
+        sign: Sign::Llvmpipe,
+        packages: Packages { apt: "libgl1-mesa-dri", dnf: "mesa-dri-drivers", pacman: "mesa", brew: "mesa" },
         source: "https://docs.mesa3d.org/drivers/llvmpipe.html",
     },
 ];
