@@ -3,7 +3,7 @@
 use crate::inputs::ShadingQuantity;
 use crate::scene::Scene;
 use crate::shading::Shading;
-use pavo_emit::{EmitError, Form, Language, Options, Sphere, SphereInput, Wrapper};
+use pavo_emit::{EmitError, Form, Language, Options, Sphere, SphereInput};
 use pavo_shade::{Input, Program};
 
 /// How a text is made.
@@ -122,12 +122,13 @@ pub fn points_fragment<'a>(
 ///
 /// # Errors
 /// If the template of the wrapper is broken.
+#[cfg(feature = "cli")]
 pub fn wrapped<'a>(
     shading: &Shading,
     emission: impl Into<Emission<'a>>,
     prefix: &str,
     facts: &[String],
-    wrapper: &Wrapper<'_>,
+    wrapper: &pavo_emit::Wrapper<'_>,
 ) -> Result<String, EmitError> {
     let program = shading.program(ShadingQuantity::Reflectance);
     let mut options = options(shading, emission.into(), Form::Library, program.inputs());

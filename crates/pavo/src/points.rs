@@ -29,6 +29,7 @@ pub(crate) fn steps(dimensions: usize) -> Vec<f64> {
 }
 
 /// Where each number that a program takes stands in a point of the declared inputs.
+#[cfg(feature = "cli")]
 pub(crate) fn columns(declared: &[Input], taken: &[Input]) -> Vec<usize> {
     let mut columns = Vec::new();
     let mut offset = 0;

@@ -138,6 +138,7 @@ impl Shading {
 
     /// The surface with the indices and the thickness that the scene fixes as inputs of one value each, where its
     /// method is for films of any: nothing is fitted anew.
+    #[cfg(feature = "cli")]
     pub(crate) fn with_all_inputs(&self) -> Self {
         let is_general = match &self.surface.specular {
             Specular::Film(film) | Specular::FilmOnMetalness(film) | Specular::FilmOnChannels { film, .. } => {
@@ -214,6 +215,7 @@ impl Shading {
     }
 
     /// What the scene fixes of the media, by the names that inputs would have.
+    #[cfg(feature = "cli")]
     pub(crate) fn fixed_media(&self) -> Vec<(&'static str, f64)> {
         let scene = &self.scene;
         let film = scene.film.as_ref().and_then(|film| match film.medium {

@@ -61,12 +61,10 @@ fn in_browser(workspace: &Workspace, names: &[OsString], json: bool) -> Result<(
         .arguments([Path::new("clients/run.mjs"), Path::new("--packages"), shown, Path::new("--pavo"), &pavo])
         .arguments(json.then_some("--json"))
         .arguments(names);
-    let steps: [(CommandLine, fn(Option<i32>) -> Status); 2] =
-        [(install, |_| Status::Missing), (build, |_| Status::CheckFailed)];
-    for (command, status) in steps {
-        complain(&format!("$ {command}"));
-        ended(&command, command.run_aside(workspace)?, status)?;
-    }
+    complain(&format!("$ {install}"));
+    ended(&install, install.run_aside(workspace)?, |_| Status::Missing)?;
+    complain(&format!("$ {build}"));
+    ended(&build, build.run_aside(workspace)?, |_| Status::CheckFailed)?;
     complain(&format!("$ {render}"));
     ended(&render, render.run(workspace)?, Status::of_product)
 }

@@ -117,8 +117,11 @@ pub(super) fn vector_tolerance(source: &Source) -> f64 {
     if source.shading.precision() == pavo_optics::Precision::FULL { 2e-5 } else { 4e-3 }
 }
 
+/// A point, and the colour that the variant gives there in f64.
+pub(super) type Vector = (Vec<f64>, [f64; 3]);
+
 /// The inputs of the reflectance, and points with what the variant gives there in f64.
-pub(super) fn vector_points(source: &Source) -> (Vec<Input>, Vec<(Vec<f64>, [f64; 3])>) {
+pub(super) fn vector_points(source: &Source) -> (Vec<Input>, Vec<Vector>) {
     let quantity = ShadingQuantity::Reflectance;
     let inputs = with_cosines(source.shading.inputs(quantity), [GRAZING_COSINE, 1.0]);
     let row = |point: Vec<f64>| {

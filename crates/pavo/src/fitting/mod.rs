@@ -7,8 +7,10 @@ mod solver;
 
 #[cfg(not(feature = "fit"))]
 pub(crate) use absent::{groups_fit, rational_fit, scene_fit, sensitivity_fit};
+#[cfg(feature = "cli")]
+pub(crate) use solver::form;
 #[cfg(feature = "fit")]
-pub(crate) use solver::{form, groups_fit, rational_fit, scene_fit, sensitivity_fit};
+pub(crate) use solver::{groups_fit, rational_fit, scene_fit, sensitivity_fit};
 
 use crate::variant::FittedForm;
 use pavo_spectra::fits::FitFamily;

@@ -62,6 +62,7 @@ impl Budget {
 impl Scene {
     /// Makes inputs of one value of the thickness and the indices that are fixed, so that it can be asked how much the
     /// surface depends on them. Such a scene does not pass [`Scene::validate`].
+    #[cfg(feature = "cli")]
     pub(crate) fn open_layers(&mut self) {
         let open = |quantity: &mut Quantity| {
             if let Quantity::Fixed(value) = *quantity {

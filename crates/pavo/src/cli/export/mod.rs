@@ -225,7 +225,7 @@ impl Export<'_> {
             if !ignored.is_empty() {
                 notes.push(format!("The scene fixes what the engine passes as {}: it is ignored.", ignored.join(", ")));
             }
-            let ranged = inputs.iter().filter(|input| !file.given.get(&input.name).is_some_and(|text| text == "1.0"));
+            let ranged = inputs.iter().filter(|input| file.given.get(&input.name).is_none_or(|text| text != "1.0"));
             let ranges: Vec<String> =
                 ranged.map(|input| format!("{} in [{}, {}]", input.name, input.low, input.high)).collect();
             if !ranges.is_empty() {
