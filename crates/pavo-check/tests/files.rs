@@ -71,7 +71,8 @@ fn spirv_files_are_validated_as_binary_and_as_text() {
 
 #[test]
 fn other_files_say_what_would_be_right() {
-    check_refused("a.hlsl", "", "expected one of .wgsl, .glsl, .vert, .frag, .comp, .spv, .spvasm, .rs");
+    let endings = "expected one of .wgsl, .glsl, .vert, .frag, .comp, .hlsl, .osl, .spv, .spvasm, .rs";
+    check_refused("a.metal", "", endings);
     check_refused("wgsl", "", "no judge reads this kind of file");
     check_refused("a.wgsl", b"fn f() {}\n\xff", "not UTF-8 text: wrong byte at offset 10");
     let missing = PathBuf::from("there/is/no/file.wgsl");

@@ -319,7 +319,7 @@ fn a_name_that_is_not_known_is_refused_with_the_nearest() {
             "'punktual'",
         ),
         ("targets", "targets = ['wgsl', 'glsl']", "unknown target `glsl`", "did you mean `glsl450`?", "'glsl'"),
-        ("targets", "targets = ['hlsl']", "unknown target `hlsl`", "the targets are: wgsl, glsl450", "'hlsl'"),
+        ("targets", "targets = ['msl']", "unknown target `msl`", "the targets are: wgsl, glsl450", "'msl'"),
     ]);
 }
 
