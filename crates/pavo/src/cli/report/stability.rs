@@ -17,7 +17,10 @@ pub fn findings(device: &Device, shading: &Shading) -> Result<Vec<StabilityFindi
     let judgement = exceptions.judge(&stability.findings);
     let largest = |check: Check| {
         let rows = judgement.rows.iter().filter(|row| row.finding.check == check);
-        let row = rows.max_by(|a, b| a.finding.value.total_cmp(&b.finding.value))?;
+        // Of rows alike, the one over the most points says the most.
+        let size = |row: &Judged<'_>| (row.finding.value, row.finding.points);
+        let order = |a: (f64, usize), b: (f64, usize)| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1));
+        let row = rows.max_by(|a, b| order(size(a), size(b)))?;
         Some(StabilityFinding { place: check.described().to_owned(), message: said(row) })
     };
     Ok(Check::ALL.into_iter().filter_map(largest).collect())
@@ -26,6 +29,7 @@ pub fn findings(device: &Device, shading: &Shading) -> Result<Vec<StabilityFindi
 fn said(row: &Judged<'_>) -> String {
     let finding = row.finding;
     let kept = match (row.passed, row.exception) {
+        (true, None) if row.bound == 0.0 => "as it must be".to_owned(),
         (true, None) => format!("within {:.0e}", row.bound),
         (true, Some(reason)) => format!("within {:.0e}, an exception: {reason}", row.bound),
         (false, _) => format!("beyond {:.0e}, which is not kept", row.bound),
