@@ -35,7 +35,7 @@ pub struct Window {
 pub struct RealKernel<R: Real> {
     /// `kappa Q / 4`.
     pub transmittance: R,
-    /// `s + t`, with `B = t / s`.
+    /// `s + t`: `s = (1 + r)(1 + u) / 2` of the waves r in the ambient medium and u in the base, `t = B s`.
     pub sum: R,
     /// `s - t`.
     pub difference: R,
