@@ -38,7 +38,7 @@ pub fn windowed_group<S: Scalar, R: Lanes<S> + Value<Leaf = S::Leaf>>(
     ambient_ior: S,
     /// The window g at this optical path difference, (0, 1].
     window: S,
-    /// Its square, held at 0.1 or above.
+    /// Its square, held at 0.15 or above.
     window_squared: S,
     /// Refractive index of the film in this group, > 0.
     #[runtime]

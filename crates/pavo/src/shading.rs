@@ -10,7 +10,7 @@ use crate::variant::{FresnelForm, Variant};
 use pavo_optics::surface::{brdf_of_reflectance, shade_surface, surface_brdf, surface_radiance, surface_reflectance};
 use pavo_optics::{
     BaseKind, Directions, Film, Finish, Geometry, Layers, Light, Method, Precision, Specular, Surface,
-    light::punctual_light,
+    SpectralNode, light::punctual_light,
 };
 use pavo_shade::{
     Dual, Graph, Input, LeftOut, Program, Rate, Scalar, Split, Stages, Vector, specialise, split, stages,
@@ -152,6 +152,27 @@ impl Shading {
             opened.scene.open_layers();
         }
         opened
+    }
+
+    /// The same surface at three of its wavelengths, one for each channel, where its method evaluates single ones.
+    #[cfg(feature = "cli")]
+    pub(crate) fn at_single_wavelengths(&self) -> Option<Self> {
+        let mut shading = self.clone();
+        let nodes = match &mut shading.surface.specular {
+            Specular::BareSpectral(nodes) => nodes,
+            specular => match &mut film_of(specular)?.method {
+                Method::Spectral { nodes } => nodes,
+                _ => return None,
+            },
+        };
+        let last = nodes.len().checked_sub(1)?;
+        let of_channel = |channel: usize| {
+            let mut weight = [0.0; 3];
+            weight[channel] = 1.0;
+            SpectralNode { weight, ..nodes[[0, last / 2, last][channel]] }
+        };
+        *nodes = (0..3).map(of_channel).collect();
+        Some(shading)
     }
 
     /// The sensitivities of the output channels.
