@@ -28,6 +28,7 @@ mod sphere;
 mod stability;
 mod tune;
 mod variants;
+mod work;
 
 use arguments::{Arguments, Command};
 use clap::Parser;
