@@ -4,6 +4,6 @@ mod name;
 mod read;
 mod write;
 
-pub use name::{shown, shown_text};
+pub use name::{is_printable, shown, shown_text};
 pub use read::{MAXIMUM_SILENCE, read_text_up_to, read_up_to};
 pub use write::write;

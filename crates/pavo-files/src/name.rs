@@ -12,13 +12,18 @@ pub fn shown(path: &Path) -> String {
 pub fn shown_text(text: &str) -> String {
     let mut shown = String::with_capacity(text.len());
     for character in text.chars() {
-        if character.is_control() || is_directional(character) {
-            shown.extend(character.escape_default());
-        } else {
+        if is_printable(character) {
             shown.push(character);
+        } else {
+            shown.extend(character.escape_default());
         }
     }
     shown
+}
+
+/// Whether a terminal shows a character as itself.
+pub fn is_printable(character: char) -> bool {
+    !character.is_control() && !is_directional(character)
 }
 
 /// Line separators and marks of the direction of writing, by which a name can look like another one.

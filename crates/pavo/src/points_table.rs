@@ -29,6 +29,9 @@ impl PointsError {
 /// variant takes some 20 thousand operations.
 pub const MAXIMUM_POINTS: usize = 1_000_000;
 
+/// What a point takes in memory, with what was written and its colour.
+const BYTES_PER_POINT: f64 = 300.0;
+
 /// The points of a table.
 #[derive(Debug)]
 pub struct PointsTable {
@@ -105,7 +108,9 @@ impl PointsTable {
                 let estimate = text.len() as f64 / read as f64 * MAXIMUM_POINTS as f64;
                 return Err(PointsError::new(
                     format!(
-                        "{name}: there are about {estimate:.2e} points; the most that are read are {MAXIMUM_POINTS}"
+                        "{name}: there are about {estimate:.2e} points, which would take about {:.1e} bytes of memory; the \
+                         most that are read are {MAXIMUM_POINTS}",
+                        estimate * BYTES_PER_POINT
                     ),
                     "divide the table, with the header at the top of each part",
                 ));

@@ -1,5 +1,6 @@
 //! How a command fails: with a message, and with a status that says of what kind.
 
+use super::output::printable;
 use super::work;
 use crate::media::MediaError;
 use crate::points_table::PointsError;
@@ -30,12 +31,12 @@ pub struct Failure {
 impl Failure {
     /// Bad input: what is wrong, and what would be right.
     pub fn input(message: impl std::fmt::Display, help: impl std::fmt::Display) -> Self {
-        Self { status: BAD_INPUT, report: miette!(help = help.to_string(), "{message}") }
+        Self { status: BAD_INPUT, report: miette!(help = help.to_string(), "{}", printable(&message.to_string())) }
     }
 
     /// A check that failed.
     pub fn check(message: impl std::fmt::Display) -> Self {
-        Self { status: CHECK_FAILED, report: miette!("{message}") }
+        Self { status: CHECK_FAILED, report: miette!("{}", printable(&message.to_string())) }
     }
 
     /// A file that cannot be read or written.
@@ -139,6 +140,6 @@ impl From<CheckError> for Failure {
             CheckError::Unreadable { .. } | CheckError::UnknownKind { .. } => BAD_INPUT,
             _ => error.exit_status(),
         };
-        Self { status, report: miette!("{error}") }
+        Self { status, report: miette!("{}", printable(&error.to_string())) }
     }
 }

@@ -9,10 +9,20 @@ pub fn print(text: &str) -> Result<(), Failure> {
     write_or_print(None, text.as_bytes())
 }
 
-/// Says something beside the output.
+/// Says something beside the output, its control characters escaped but for the ends of lines.
 #[allow(clippy::print_stderr)]
+pub fn say(message: &str) {
+    eprintln!("{}", printable(message));
+}
+
+/// Warns of something.
 pub fn warn(message: &str) {
-    eprintln!("warning: {message}");
+    say(&format!("warning: {message}"));
+}
+
+/// A text that a terminal takes for no command: lines stay lines.
+pub fn printable(text: &str) -> String {
+    text.split('\n').map(pavo_files::shown_text).collect::<Vec<_>>().join("\n")
 }
 
 /// Writes a file whole or not at all, as [`pavo_files::write`] does.

@@ -42,7 +42,7 @@ pub fn run(arguments: &arguments::Preview) -> Result<(), Failure> {
 
 /// The size of a picture that can be seen and can be held.
 fn size(asked: f64) -> Result<u32, Failure> {
-    work::SAMPLES.check(&format!("`--size {asked}`"), (asked * f64::from(OVERSAMPLING)).powi(2))?;
+    work::PIXELS.check(&format!("`--size {asked}`"), asked)?;
     if asked < SMALLEST_SIZE {
         return Err(Failure::input(format!("a picture of {asked} pixels a side"), "take 16 to 4096 pixels"));
     }

@@ -116,9 +116,10 @@ fn of_scene(scene: &Scene, variant: Option<&str>, cache: &DiskCache) -> Result<V
 }
 
 fn of_all(variant: Option<&str>, cache: &DiskCache) -> Result<Vec<Placed>, Failure> {
+    // First of all, as the surfaces take a while to make.
+    let variant = variant.map(str::parse::<Variant>).transpose()?;
     let mut placed = built_in(cache)?;
-    if let Some(text) = variant {
-        let variant: Variant = text.parse()?;
+    if let Some(variant) = variant {
         placed.retain(|placed| *placed.shading.variant() == variant);
         if placed.is_empty() {
             let message = format!("{variant} is none of the built-in variants");
