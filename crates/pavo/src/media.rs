@@ -17,11 +17,11 @@ const FILE_HELP: &str = "csv names a file beside the scene, with the columns wav
 
 /// Why the data of a scene cannot be had.
 #[derive(Debug, Error)]
-#[cfg_attr(feature = "cli", derive(miette::Diagnostic))]
+#[cfg_attr(feature = "points", derive(miette::Diagnostic))]
 pub enum MediaError {
     /// A file that cannot be read.
     #[error("{path}: {cause}")]
-    #[cfg_attr(feature = "cli", diagnostic(code(pavo::media), help("{}", FILE_HELP)))]
+    #[cfg_attr(feature = "points", diagnostic(code(pavo::media), help("{}", FILE_HELP)))]
     File {
         /// The file.
         path: String,
@@ -30,7 +30,7 @@ pub enum MediaError {
     },
     /// What the data themselves refuse.
     #[error("{message}")]
-    #[cfg_attr(feature = "cli", diagnostic(code(pavo::media)))]
+    #[cfg_attr(feature = "points", diagnostic(code(pavo::media)))]
     Data {
         /// What is wrong, and what would be right.
         message: String,

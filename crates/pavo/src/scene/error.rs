@@ -6,7 +6,7 @@ use std::ops::Range;
 /// Why a scene was refused: what is wrong, where in the file, and what would be right.
 ///
 /// `Display` is the sentence alone. `Debug`, which a build script's `main` prints, is `file:line:column: sentence`, then
-/// the line of the scene with a mark below what is wrong, then the help. With the feature `cli` it is a diagnostic of
+/// the line of the scene with a mark below what is wrong, then the help. With the feature `points` it is a diagnostic of
 /// miette. (A line too long to be drawn is not; the sentence then names the file, line and column.)
 #[derive(Clone)]
 pub struct SceneError {
