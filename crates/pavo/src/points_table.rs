@@ -1,6 +1,8 @@
 //! Tables of points: CSV whose header names run-time inputs.
 
-use crate::scene::{FilmMedium, Quantity, Scene};
+use crate::media::MediaError;
+use crate::scene::{FilmMedium, Quantity, Scene, SceneError};
+use crate::shading::ShadingError;
 use miette::Diagnostic;
 use pavo_shade::{Input, Type};
 use thiserror::Error;
@@ -24,6 +26,11 @@ impl PointsError {
         &self.help
     }
 }
+
+// Wherever tables are read, the errors of a scene can be drawn: the fuzzer draws them, without the command.
+const _: [fn(); 3] = [can_be_drawn::<SceneError>, can_be_drawn::<MediaError>, can_be_drawn::<ShadingError>];
+
+fn can_be_drawn<T: Diagnostic>() {}
 
 /// The most points that a table may have: with what was written they take some 300 bytes each, and at each, the longest
 /// variant takes some 20 thousand operations.
