@@ -21,15 +21,15 @@ use thiserror::Error;
 
 /// Why a scene and a variant do not go together.
 #[derive(Debug, Error)]
-#[cfg_attr(feature = "cli", derive(miette::Diagnostic))]
+#[cfg_attr(feature = "points", derive(miette::Diagnostic))]
 pub enum ShadingError {
     /// The data behind the scene's names cannot be had.
     #[error(transparent)]
-    #[cfg_attr(feature = "cli", diagnostic(transparent))]
+    #[cfg_attr(feature = "points", diagnostic(transparent))]
     Media(#[from] MediaError),
     /// The variant cannot be made for this scene.
     #[error("the variant {variant} cannot be made for the scene {scene}: {cause}")]
-    #[cfg_attr(feature = "cli", diagnostic(code(pavo::variant), help("{help}")))]
+    #[cfg_attr(feature = "points", diagnostic(code(pavo::variant), help("{help}")))]
     Variant {
         /// The variant.
         variant: String,

@@ -452,12 +452,12 @@ fn an_error_names_the_line_and_the_column() {
 #[test]
 fn an_error_in_a_line_too_long_to_be_drawn_names_its_place() {
     let error = refusal(&edited("name", &format!("name = '{}!'", "x".repeat(70_000))));
-    assert_eq!(error.to_string(), "the name of the scene contains '!' (line 1, column 8)");
+    assert_eq!(error.to_string(), "the name of the scene contains '!' (test.toml, line 1, column 8)");
     assert_eq!(error.location(), Some(("test.toml", 1, 8)));
     let mut drawn = String::new();
     let handler = GraphicalReportHandler::new_themed(GraphicalTheme::unicode_nocolor());
     handler.render_report(&mut drawn, &error).expect("an error can be drawn");
-    assert!(drawn.contains("(line 1, column 8)") && drawn.len() < 1000, "{drawn}");
+    assert!(drawn.contains("(test.toml, line 1, column 8)") && drawn.len() < 1000, "{drawn}");
 }
 
 #[test]

@@ -166,7 +166,7 @@ pub(super) fn test_vectors(source: &Source) -> Vec<u8> {
 }
 
 fn write_all(folder: &Path, emitted: &[Emitted], manifest: &str, vectors: &[u8]) -> Result<(), Failure> {
-    std::fs::create_dir_all(folder).map_err(|error| Failure::file(folder, "made", &error))?;
+    output::make_folder(folder)?;
     for shader in emitted {
         output::write(&folder.join(&shader.file), &shader.bytes)?;
     }

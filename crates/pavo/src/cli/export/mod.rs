@@ -45,7 +45,7 @@ pub fn run(arguments: &arguments::Export) -> Result<(), Failure> {
         .output
         .clone()
         .unwrap_or_else(|| PathBuf::from(format!("{}-{}", source.shading.scene().name, engine.name)));
-    std::fs::create_dir_all(&folder).map_err(|error| Failure::file(&folder, "made", &error))?;
+    output::make_folder(&folder)?;
     for (file, bytes) in &files {
         output::write(&folder.join(file), bytes)?;
     }
@@ -126,9 +126,7 @@ impl Export<'_> {
             files.push((file.to_owned(), template(name)?.as_bytes().to_vec()));
         }
         files.push(("test-vectors.csv".to_owned(), test_vectors(self.source)));
-        let path = &self.source.path;
-        let scene = std::fs::read(path).map_err(|error| Failure::file(path, "read", &error))?;
-        files.push((self.scene_file(), scene));
+        files.push((self.scene_file(), self.source.text.clone().into_bytes()));
         let mut names: Vec<String> = files.iter().map(|(name, _)| name.clone()).collect();
         names.sort();
         let error = self.error();

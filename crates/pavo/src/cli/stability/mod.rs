@@ -9,6 +9,7 @@ use super::cache::DiskCache;
 use super::failure::Failure;
 use super::output;
 use super::progress::Progress;
+use super::work;
 use crate::scene::Scene;
 use crate::stability::{
     Catalogue, Check, Effort, Exceptions, Judgement, Placed, Stability, StabilityError, built_in, by_variant, examine,
@@ -26,6 +27,9 @@ const LEAST_POINTS: usize = 1000;
 pub fn run(arguments: &arguments::Stability) -> Result<(), Failure> {
     let mut effort = if arguments.quick { Effort::QUICK } else { Effort::FULL };
     if let Some(points) = arguments.points {
+        let asked = format!("`--points {points}`");
+        work::SWEEP_POINTS.check(&asked, points)?;
+        let points = points as usize;
         if points < LEAST_POINTS {
             let message = format!("a sweep of {points} points");
             return Err(Failure::input(message, format!("take {LEAST_POINTS} points or more")));
