@@ -623,7 +623,7 @@ fn channel_wavelengths(sensitivities: &Sensitivities) -> [f64; 3] {
 }
 
 /// The index of a material as each channel sees it: its mean over the channel's sensitivity.
-fn channel_index(sensitivities: &Sensitivities, base: &OpticalConstants) -> [[f64; 3]; 2] {
+pub(crate) fn channel_index(sensitivities: &Sensitivities, base: &OpticalConstants) -> [[f64; 3]; 2] {
     let mut means = [[0.0; 3]; 2];
     for (wavelength, weight) in pavo_spectra::wavelength::fine_grid().iter().zip(sensitivities.fine_weights()) {
         let (n, k) = base.extended_at(*wavelength);
