@@ -11,7 +11,7 @@ use std::path::Path;
 const QUANTITY: ShadingQuantity = ShadingQuantity::Reflectance;
 
 /// A film for each kind of method: name, and the tables of its scene.
-const FILMS: [(&str, &str); 6] = [
+const FILMS: [(&str, &str); 9] = [
     ("dielectric", "[film]\nior = 1.5\nthickness_nm = [0, 1500]\n[base]\nior = 1.33"),
     ("conductor", "[film]\nior = 2.4\nthickness_nm = [0, 600]\n[base]\nior = 2.7\nkappa = 3.8"),
     ("any-media", "[film]\nior = [1.3, 2.4]\nthickness_nm = [0, 1000]\n[base]\nior = [1.1, 3]\nkappa = [0.1, 4]"),
@@ -19,6 +19,15 @@ const FILMS: [(&str, &str); 6] = [
     (
         "metalness",
         "[film]\nior = 1.5\nthickness_nm = [100, 900]\n[base]\nworkflow = 'metalness'\n[surface]\nbase_color = 'input'",
+    ),
+    ("f0", "[film]\nior = [1.3, 2]\nthickness_nm = [0, 1200]\n[base]\nworkflow = 'f0'\nf0 = 'input'"),
+    (
+        "edge-tint",
+        "[film]\nior = [1.3, 2]\nthickness_nm = [0, 1200]\n[base]\nworkflow = 'f0'\nf0 = 'input'\nedge_tint = 'input'",
+    ),
+    (
+        "under-glass",
+        "[ambient]\nior = 1.5\n[film]\nior = 1.33\nthickness_nm = [0, 600]\n[base]\nworkflow = 'f0'\nf0 = [0, 0.2, 1]",
     ),
     ("uniform", "[film]\nior = 1.38\nthickness_nm = 250\n[base]\nior = 1.52"),
 ];

@@ -122,7 +122,7 @@ impl Export<'_> {
             let text = self.code(file)?;
             if !file.check.is_empty() {
                 let page = page::check(self.source, self.engine, file, &text)?;
-                files.push(("check.html".to_owned(), page.into_bytes()));
+                files.push((page::check_file(file)?.to_owned(), page.into_bytes()));
             }
             files.push((file.file.clone(), text.into_bytes()));
         }
