@@ -36,7 +36,7 @@ const server = await serve({ here, packages, imports: table.imports });
 
 // The CPU evaluation of the scene at points, by the command.
 function evaluated(points, name) {
-    const header = 'cos_theta1,film_ior,thickness_nm,base_color_r,base_color_g,base_color_b';
+    const header = 'cos_theta1,film_ior,thickness_nm,f0_r,f0_g,f0_b';
     const file = join(packages, 'points', `${name}.csv`);
     writeFileSync(file, `${header}\n${points.map((point) => point.join(',')).join('\n')}\n`);
     const text = execFileSync(given.pavo, ['eval', join(here, 'scene.toml'), '--points', file, '--on', 'cpu-f64'],

@@ -90,7 +90,8 @@ fn an_engine_that_only_has_an_f0_gives_it_to_the_base() {
 fn an_export_of_a_metal_says_what_its_f0_would_lose() {
     let mut said = String::new();
     for (metal, film) in [("Au", 1.5), ("Cu", 1.5), ("Al", 1.5), ("Ti", 2.2)] {
-        let text = format!("name = \"film\"\n[film]\nior = {film}\nthickness_nm = [0, 900]\n[base]\nmetal = \"{metal}\"\n");
+        let text =
+            format!("name = \"film\"\n[film]\nior = {film}\nthickness_nm = [0, 900]\n[base]\nmetal = \"{metal}\"\n");
         let (folder, ran) = export(&text, &["--engine", "three", "--variant", "nodes:n=6", "-o", "out"]);
         assert_eq!(ran.status, 0, "{metal}: {}", ran.errors);
         let readme = read(&folder.path().join("out"), "README.md");
@@ -144,5 +145,5 @@ fn each_test_vector_has_the_three_colours_and_a_tolerance() {
     // The command takes its own table and says nothing of the columns that are no inputs.
     let points = ["eval", &file, "--points", "out/test-vectors.csv", "--on", "cpu-f64"];
     let ran = run(PROGRAM, folder.path(), &points);
-    assert_eq!((ran.status, ran.errors.as_str()), (0, ""));
+    assert!(ran.status == 0 && !ran.errors.contains("not used"), "{}", ran.errors);
 }

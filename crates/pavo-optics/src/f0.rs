@@ -36,9 +36,9 @@ pub fn index_from_f0<R: Real>(
     let amplitude = f0.max(R::lit(0.0)).sqrt().min(R::lit(LARGEST_AMPLITUDE));
     let missing = 1.0 - amplitude;
     let present = 1.0 + amplitude;
-    let inverse = 1.0 / (1.0 + amplitude * amplitude);
-    let smallest = missing * present * inverse;
-    let twice = 2.0 * amplitude * inverse;
+    let reciprocal = 1.0 / (1.0 + amplitude * amplitude);
+    let smallest = missing * present * reciprocal;
+    let twice = 2.0 * amplitude * reciprocal;
     let span = twice * present / missing;
     let above_smallest = (1.0 - edge_tint) * span;
     let below_largest = edge_tint * span;

@@ -177,22 +177,14 @@ pub fn surface_reflectance<S: Scalar>(
             film_reflectance::<S, S::Vec3>(film, cos_theta1, thickness_nm, ambient_ior, film_ior, base_ior, base_kappa)
         }
         Specular::FilmOnMetalness(film) => {
-            let specular_color = metalness_colors::<S>(base_color, metalness).specular;
+            let specular_color = metalness_colors::<S>(base_color, metalness).specular_color;
             let base_ior = ior_from_reflectance(specular_color, S::Vec3::splat(ambient_ior));
             let none = S::Vec3::lit(0.0);
             film_reflectance::<S, S::Vec3>(film, cos_theta1, thickness_nm, ambient_ior, film_ior, base_ior, none)
         }
         Specular::FilmOnF0(film) => {
             let base = base_index::<S>(film.base, f0, edge_tint);
-            film_reflectance::<S, S::Vec3>(
-                film,
-                cos_theta1,
-                thickness_nm,
-                ambient_ior,
-                film_ior,
-                base.ior,
-                base.kappa,
-            )
+            film_reflectance::<S, S::Vec3>(film, cos_theta1, thickness_nm, ambient_ior, film_ior, base.ior, base.kappa)
         }
         Specular::Baked(film) => baked::<S>(film, cos_theta1),
         Specular::Fitted(film) => fitted_reflectance::<S>(film, cos_theta1, thickness_nm),
@@ -206,7 +198,7 @@ pub fn surface_reflectance<S: Scalar>(
             grey::<S>(bare_node_reflectance(cos_theta1, ambient_ior, S::lit(base_ior), S::lit(base_kappa)))
         }),
         Specular::BareMetalness { exact } => {
-            let specular_color = metalness_colors::<S>(base_color, metalness).specular;
+            let specular_color = metalness_colors::<S>(base_color, metalness).specular_color;
             if !exact {
                 return fresnel_schlick::<S>(cos_theta1, specular_color);
             }
@@ -283,9 +275,10 @@ pub fn brdf_of_reflectance<S: Scalar>(
         return specular;
     }
     let is_metalness = surface.specular.is_metalness();
-    let diffuse_color = if is_metalness { metalness_colors::<S>(base_color, metalness).diffuse } else { base_color };
-    let diffuse = lambert::<S>(diffuse_color).named("diffuse");
-    diffuse * (S::Vec3::lit(1.0) - reflectance) + specular.named("specular")
+    let diffuse_color =
+        if is_metalness { metalness_colors::<S>(base_color, metalness).diffuse_color } else { base_color };
+    let diffuse_brdf = lambert::<S>(diffuse_color).named("diffuse_brdf");
+    diffuse_brdf * (S::Vec3::lit(1.0) - reflectance) + specular.named("specular")
 }
 
 /// Radiance that a punctual light leaves towards the view.

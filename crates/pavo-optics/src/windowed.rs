@@ -222,13 +222,13 @@ impl<R: Real> NodeQuotient<R> {
         let top_0 = (differences * (s.transmittance * mixed[0] + p.transmittance * mixed[1])).named("top_0");
         let top_end = sums * (s.transmittance * mixed[1] + p.transmittance * mixed[0]);
         let bottom_0 = (differences * differences).named("bottom_0");
-        let linear = (mixed[0] * mixed[0] + (mixed[1] * mixed[1] - bottom_0)).named("linear");
+        let bottom_0_and_1 = (mixed[0] * mixed[0] + (mixed[1] * mixed[1] - bottom_0)).named("bottom_0_and_1");
         Self {
             top_0,
             top_1: (top_end - top_0).named("top_1"),
             bottom_0,
-            bottom_1: (linear - bottom_0).named("bottom_1"),
-            bottom_2: (sums * sums - linear).named("bottom_2"),
+            bottom_1: (bottom_0_and_1 - bottom_0).named("bottom_1"),
+            bottom_2: (sums * sums - bottom_0_and_1).named("bottom_2"),
         }
     }
 
@@ -283,13 +283,13 @@ pub(crate) fn color_of_nodes<S: Scalar, R: Lanes<S> + Value<Leaf = S::Leaf>>(
 ) -> S::Vec3 {
     let nodes = nodes.into_iter().zip(weights);
     if let Some(centre) = centre {
-        return nodes.fold(rest, |color, (node, weight)| {
+        return nodes.fold(rest, |reflected, (node, weight)| {
             let contribution = precision.sum(R::lit(2.0) * node - centre).named("contribution");
-            precision.sum(color - precision.weighted::<S>(*weight, contribution.into_vec3())).named("color")
+            precision.sum(reflected - precision.weighted::<S>(*weight, contribution.into_vec3())).named("reflected")
         });
     }
     let weighted = nodes.map(|(node, weight)| S::Vec3::lit3(weight.map(|weight| 2.0 * weight)) * node.into_vec3());
-    weighted.fold(rest, |color, node| (color - node).named("color"))
+    weighted.fold(rest, |reflected, node| (reflected - node).named("reflected"))
 }
 
 /// Reflectance of the film by equally spaced wave numbers under a window, all orders, at the optical path of one pass.

@@ -304,8 +304,8 @@ fn metalness_moves_the_base_colour_from_diffuse_to_specular() {
         (0.25, colour * 0.75, DVec3::splat(0.03) + colour * 0.25),
     ] {
         let found = metalness_colors::<f64>(colour, metalness);
-        check(found.diffuse, diffuse, metalness);
-        check(found.specular, specular, metalness);
+        check(found.diffuse_color, diffuse, metalness);
+        check(found.specular_color, specular, metalness);
     }
 }
 

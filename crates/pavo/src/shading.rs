@@ -145,9 +145,7 @@ impl Shading {
             Specular::Film(film)
             | Specular::FilmOnMetalness(film)
             | Specular::FilmOnF0(film)
-            | Specular::FilmOnChannels { film, .. } => {
-                !matches!(film.method, Method::WindowedGroups { .. })
-            }
+            | Specular::FilmOnChannels { film, .. } => !matches!(film.method, Method::WindowedGroups { .. }),
             Specular::Bare(_)
             | Specular::BareMetalness { .. }
             | Specular::BareF0 { .. }
@@ -549,9 +547,10 @@ fn specular(scene: &Scene, request: &MethodRequest<'_>) -> Result<Specular, Meth
     let Some(film) = &scene.film else {
         let approximates = *request.variant == Variant::Fresnel { form: FresnelForm::Schlick };
         if approximates && !scene.has_schlick_base() {
-            let cause = "Schlick's approximation is for a base of the metalness workflow, or of the workflow f0 in air \
+            let cause =
+                "Schlick's approximation is for a base of the metalness workflow, or of the workflow f0 in air \
                          without an edge tint"
-                .to_owned();
+                    .to_owned();
             return Err((cause, "take fresnel:form=exact".to_owned()));
         }
         return Ok(match (&scene.base, request.base) {

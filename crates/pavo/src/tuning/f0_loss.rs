@@ -45,12 +45,7 @@ impl Judge {
             let known = Shading::new(&scene, &Variant::Spectral { count: 81 })?;
             Ok(self.mean_delta_e(&known.reference_each(QUANTITY, self.points())?))
         };
-        Ok(Some(F0Loss {
-            f0,
-            edge_tint,
-            mean_delta_e: by(None)?,
-            mean_delta_e_with_edge_tint: by(Some(edge_tint))?,
-        }))
+        Ok(Some(F0Loss { f0, edge_tint, mean_delta_e: by(None)?, mean_delta_e_with_edge_tint: by(Some(edge_tint))? }))
     }
 }
 

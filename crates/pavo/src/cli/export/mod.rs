@@ -174,7 +174,11 @@ impl Export<'_> {
                     "fix it in the scene; or let the base follow the engine's colour, by `workflow = \"f0\"` with \
                      `f0 = \"input\"` in [base]; {} has {}",
                     self.engine.title,
-                    file.parameters.iter().map(|[_, inputs]| inputs.replace(' ', " or ")).collect::<Vec<_>>().join(", ")
+                    file.parameters
+                        .iter()
+                        .map(|[_, inputs]| inputs.replace(' ', " or "))
+                        .collect::<Vec<_>>()
+                        .join(", ")
                 ),
             )
         })

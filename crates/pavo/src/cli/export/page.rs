@@ -4,8 +4,8 @@ use super::engines::{Engine, EngineFile, template};
 use crate::cli::build::{vector_points, vector_tolerance};
 use crate::cli::failure::Failure;
 use crate::cli::sources::Source;
-use pavo_emit::Language;
 use minijinja::{AutoEscape, Environment, UndefinedBehavior, Value, context};
+use pavo_emit::Language;
 use pavo_shade::Type;
 use serde_json::json;
 
@@ -28,7 +28,8 @@ pub fn check(source: &Source, engine: &Engine, file: &EngineFile, text: &str) ->
         found.map_or(-1, |(_, column)| i64::try_from(*column).unwrap_or(-1))
     };
     let passed = file.parameters.iter().map(|[name, names]| {
-        let is_color = [format!("vec3 {name}"), format!("{name}: vec3f")].iter().any(|text| file.signature.contains(text));
+        let is_color =
+            [format!("vec3 {name}"), format!("{name}: vec3f")].iter().any(|text| file.signature.contains(text));
         json!({ "uniform": format!("given_{name}"), "type": if is_color { "vec3" } else { "float" },
             "passed": true, "column": column_of(names) })
     });
