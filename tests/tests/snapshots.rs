@@ -79,3 +79,16 @@ fn the_index_of_a_base_by_its_f0_is_emitted_as_reviewed() {
         });
     }
 }
+
+#[test]
+fn in_osl_no_component_is_taken_of_what_has_no_name() {
+    // Each channel has an index of its own, and where each is metallic is asked of a vector.
+    let base = Base::f0(ColourQuantity::Input, Some(ColourQuantity::Fixed([0.9, 0.6, 0.5])));
+    let scene = Scene::builder("metal", base).film(1.5, 0.0..=900.0).build().expect("a scene");
+    for variant in ["poles:k=5", "windowed:k=6", "spectral:n=16"] {
+        let shading = Shading::new(&scene, &variant.parse().expect("a variant")).expect("a surface");
+        let text = pavo::library(&shading, Emission { language: Language::Osl, command: "", source_lines: false });
+        assert!(text.contains("is_metallic[0]"), "{variant} chooses by component");
+        assert!(!text.contains(")["), "{variant}: {}", text.lines().find(|line| line.contains(")[")).unwrap_or(""));
+    }
+}

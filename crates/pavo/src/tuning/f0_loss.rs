@@ -10,7 +10,8 @@ use pavo_spectra::{OpticalConstants, Point, Reference, Stack};
 use serde::Serialize;
 
 /// A conductor by what it reflects at normal incidence, and how far its exact colours under the film are from those that
-/// it has by its index at each wavelength.
+/// it has by its index at each wavelength. A film whose index depends on the wavelength has that in green light then, which
+/// is part of the difference.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct F0Loss {
     /// Its colour at normal incidence under air, held within [0, 1].
