@@ -275,13 +275,13 @@ pub(crate) fn color_of_nodes<S: Scalar, R: Lanes<S> + Value<Leaf = S::Leaf>>(
 ) -> S::Vec3 {
     let nodes = nodes.into_iter().zip(weights);
     if let Some(centre) = centre {
-        return nodes.fold(rest, |color, (node, weight)| {
+        return nodes.fold(rest, |reflected, (node, weight)| {
             let contribution = precision.sum(R::lit(2.0) * node - centre).named("contribution");
-            precision.sum(color - precision.weighted::<S>(*weight, contribution.into_vec3())).named("color")
+            precision.sum(reflected - precision.weighted::<S>(*weight, contribution.into_vec3())).named("reflected")
         });
     }
     let weighted = nodes.map(|(node, weight)| S::Vec3::lit3(weight.map(|weight| 2.0 * weight)) * node.into_vec3());
-    weighted.fold(rest, |color, node| (color - node).named("color"))
+    weighted.fold(rest, |reflected, node| (reflected - node).named("reflected"))
 }
 
 /// Reflectance of the film by equally spaced wave numbers under a window, all orders, at the optical path of one pass.

@@ -67,7 +67,7 @@ pub(crate) fn dispersive_base(scene: &Scene) -> Result<Option<OpticalConstants>,
     match &scene.base {
         Base::Metal { name } => OpticalConstants::built_in(name).map(Some).map_err(data),
         Base::Table { path } => from_file(path).map(Some),
-        Base::Dielectric { .. } | Base::Conductor { .. } | Base::Metalness => Ok(None),
+        Base::Dielectric { .. } | Base::Conductor { .. } | Base::Metalness | Base::F0 { .. } => Ok(None),
     }
 }
 

@@ -181,7 +181,7 @@ pub fn digits(value: f64) -> String {
 }
 
 fn ignored(header: &[String], columns: &[String]) -> Vec<String> {
-    let known = |name: &String| columns.contains(name) || ["r", "g", "b"].contains(&name.as_str());
+    let known = |name: &String| columns.contains(name) || ["r", "g", "b", "tolerance"].contains(&name.as_str());
     header.iter().filter(|name| !known(name)).cloned().collect()
 }
 

@@ -150,17 +150,16 @@ pub(super) fn test_vectors(source: &Source) -> Vec<u8> {
     let (inputs, rows) = vector_points(source);
     let columns: Vec<String> = inputs.iter().flat_map(column_names).collect();
     let mut text = format!(
-        "# {} of {} by {} in f64; emitted code on a 32-bit device agrees within {:e}.\n{},r,g,b\n",
+        "# {} of {} by {} in f64; emitted code on a 32-bit device agrees within the tolerance.\n{},r,g,b,tolerance\n",
         ShadingQuantity::Reflectance.name(),
         source.shading.scene().name,
         source.shading.variant(),
-        vector_tolerance(source),
         columns.join(",")
     );
+    let tolerance = vector_tolerance(source);
     for (point, color) in rows {
         let fields: Vec<String> = point.iter().chain(&color).copied().map(digits).collect();
-        text.push_str(&fields.join(","));
-        text.push('\n');
+        text.push_str(&format!("{},{tolerance:e}\n", fields.join(",")));
     }
     text.into_bytes()
 }

@@ -381,7 +381,7 @@ impl<'a> Examination<'a> {
 fn is_grey(shading: &Shading, case: &Case) -> bool {
     match shading.scene().base {
         Base::Dielectric { .. } | Base::Conductor { .. } => true,
-        Base::Metal { .. } | Base::Table { .. } => false,
+        Base::Metal { .. } | Base::Table { .. } | Base::F0 { .. } => false,
         Base::Metalness => case.inputs.contains_key("base_color"),
     }
 }

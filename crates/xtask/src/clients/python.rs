@@ -29,7 +29,7 @@ pub const CLIENTS: [Client; 2] = [
     Client {
         name: "materialx",
         packages: &["MaterialX==1.39.5"],
-        programs: &[("python3", "python3-venv"), ("xvfb-run", "xvfb")],
+        programs: &[("python3", "python3-venv"), ("xvfb-run", "xvfb"), ("glslangValidator", "glslang-tools")],
         before: &["xvfb-run", "-a"],
     },
     Client {
