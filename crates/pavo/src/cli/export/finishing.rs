@@ -15,13 +15,13 @@ fn highp_line(line: &str) -> String {
     let mut declared = String::new();
     for word in line[..code].split_inclusive(' ') {
         // A type stands before a space in declarations only.
-        let start = word.rfind('(').map_or(0, |bracket| bracket + 1);
-        declared.push_str(&word[..start]);
-        if ["float ", "vec3 "].contains(&&word[start..]) && before != "mediump " {
+        let (start, last) = word.split_at(word.rfind('(').map_or(0, |bracket| bracket + 1));
+        declared.push_str(start);
+        if ["float ", "vec3 "].contains(&last) && before != "mediump " {
             declared.push_str("highp ");
         }
-        declared.push_str(&word[start..]);
-        before = word;
+        declared.push_str(last);
+        before = last;
     }
     declared + &line[code..]
 }

@@ -125,6 +125,15 @@ impl Export<'_> {
         let emission = Emission { language, command: &command, source_lines: false };
         let facts = [format!("Error: {}.", self.error()), format!("Cost: {}.", self.cost())];
         let mut text = wrapped(&self.source.shading, emission, PREFIX, &facts, &wrapper)?;
+        if file.writer.is_none() && text.lines().any(|line| line.starts_with("enable ")) {
+            return Err(Failure::input(
+                format!(
+                    "half precision in WGSL needs `enable f16;` above the whole shader, where {} has text of its own",
+                    self.engine.title
+                ),
+                "leave `precision = \"half\"` out of [emit]",
+            ));
+        }
         if file.highp {
             text = with_highp(&text);
         }
