@@ -13,7 +13,7 @@ use super::output;
 use super::progress::Progress;
 use super::sources::{Source, refused};
 use crate::Emission;
-use crate::emission::wrapped;
+use crate::entries::wrapped;
 use crate::inputs::ShadingQuantity;
 use crate::tuning::{Judge, VariantErrors};
 use engines::{Engine, EngineFile, engine, template};
