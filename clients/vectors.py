@@ -24,7 +24,7 @@ PARAMETERS = {
 def arguments():
     """The command line: the program pavo, the folder for exports, and the form of the answer."""
     parser = argparse.ArgumentParser()
-    parser.add_argument("--pavo", required=True, help="the command pavo")
+    parser.add_argument("--pavo", required=True, type=pathlib.Path, help="the command pavo")
     parser.add_argument("--folder", required=True, type=pathlib.Path, help="where exports and pictures go")
     parser.add_argument("--json", action="store_true")
     return parser.parse_args()
@@ -48,6 +48,11 @@ def vectors(folder):
         values = {name: [float(row[column]) for column in columns] for name, columns in PARAMETERS.items()}
         found.append((values, [float(row[channel]) for channel in "rgb"]))
     return found
+
+
+def numbers(values):
+    """The six numbers of a point, in the order of PARAMETERS."""
+    return [number for name in PARAMETERS for number in values[name]]
 
 
 def report(given, client, version, device, found, expected):

@@ -4,11 +4,6 @@
 
 // Reflectance of the film on its base, linear, with the signature of the engine's own function.
 {{ signature }} {
-{%- for input in inputs %}
-    {{ input.declared }} = {{ input.value }};
-{%- endfor %}
-{%- for statement in statements %}
-    {{ statement }}
-{%- endfor %}
+{{ body }}
     return {{ result }};
 }

@@ -4,11 +4,6 @@
 
 // Reflectance of the film on its base, linear.
 {{ signature }} {
-{%- for input in inputs %}
-    {{ input.declared }} = {{ input.value }};
-{%- endfor %}
-{%- for statement in statements %}
-    {{ statement }}
-{%- endfor %}
+{{ body }}
     return {{ result }};
 }

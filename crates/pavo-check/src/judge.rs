@@ -34,7 +34,7 @@ pub use rust::judge_rust;
 pub use spirv::{assemble_spirv, disassemble, judge_spirv};
 pub use text::judge_text;
 pub use verdict::{Diagnostic, Judge, Stage, Verdict};
-pub use wgsl::{judge_wgsl, wgsl_to_spirv};
+pub use wgsl::{judge_wgsl, wgsl_to_msl, wgsl_to_spirv};
 
 pub(crate) use glslang::version as glslang_version;
 pub(crate) use naga_reader::NAGA_VERSION;

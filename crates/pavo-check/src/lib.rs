@@ -23,5 +23,5 @@ mod install;
 pub use error::CheckError;
 pub use judge::{Diagnostic, Judge, Stage, Verdict};
 pub use judge::{assemble_spirv, disassemble, glsl_to_spirv, judge_file, judge_glsl, judge_spirv, judge_text};
-pub use judge::{hlsl_to_spirv, judge_hlsl, judge_osl, judge_rust, judge_wgsl, wgsl_to_spirv};
+pub use judge::{hlsl_to_spirv, judge_hlsl, judge_osl, judge_rust, judge_wgsl, wgsl_to_msl, wgsl_to_spirv};
 pub use vulkan::{ComputeShader, Device, DeviceDescription, RenderShaders};

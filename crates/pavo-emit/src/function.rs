@@ -52,6 +52,7 @@ pub struct Body {
     /// The parameters as they are printed.
     pub head: Vec<HeadParameter>,
     /// What stands for each leaf parameter inside the function.
+    #[cfg_attr(not(feature = "entry"), allow(dead_code))]
     pub parameters: Vec<String>,
     /// The statements, a line each, without indentation.
     pub statements: Vec<String>,

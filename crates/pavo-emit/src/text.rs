@@ -110,6 +110,7 @@ pub enum Tables {
     /// In the text.
     Constants,
     /// In storage buffers, one each.
+    #[cfg_attr(not(feature = "entry"), allow(dead_code))]
     Buffers {
         /// The binding of the first.
         first_binding: usize,

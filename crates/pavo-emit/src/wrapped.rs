@@ -11,8 +11,8 @@ use pavo_shade::{Input, Program, Type};
 
 /// What stands around the functions.
 ///
-/// The template has `header`, `functions`, `inputs` (each with `name`, `declared`, its name with its type, and `value`),
-/// `statements` and `result`, the expression of the program's first output.
+/// The template has `header`, `functions`, `inputs`, the names of what the program takes, `body`, the lines that take it
+/// and compute, and `result`, the expression of the program's first output.
 #[derive(Clone, Copy, Debug)]
 pub struct Wrapper<'a> {
     /// The name of the template, for messages.
@@ -22,30 +22,33 @@ pub struct Wrapper<'a> {
     /// The expression that each input of the program is given, in the order of the inputs. It is held within the range
     /// of the input.
     pub given: &'a [String],
+    /// The parameters of the signature: no variable takes such a name.
+    pub parameters: &'a [&'a str],
 }
 
 pub fn wrapped(program: &Program, options: &Options, wrapper: &Wrapper<'_>) -> Result<String, EmitError> {
     let dialect = Dialect::of(options.language);
-    let names = Names::new(program, options);
+    let mut names = Names::new(program, options);
+    let functions = functions(program, options, &names, Tables::Constants);
+    for parameter in wrapper.parameters {
+        names.outer.fresh(parameter);
+    }
     let main = main_body(program, options, &names);
-    let inputs: Vec<minijinja::Value> = program
-        .inputs()
-        .iter()
-        .zip(&main.parameters)
-        .zip(wrapper.given)
-        .map(|((input, name), given)| {
-            let declared = match dialect.syntax {
-                Syntax::Wgsl | Syntax::Rust => format!("let {name}"),
-                _ => format!("{} {name}", dialect.type_name(input.ty)),
-            };
-            context! { name, declared, value => held(dialect, input, given) }
-        })
-        .collect();
+    let inputs: Vec<String> = program.inputs().iter().map(|input| input.name.clone()).collect();
+    let taken = program.inputs().iter().zip(&main.parameters).zip(wrapper.given).map(|((input, name), given)| {
+        let declared = match dialect.syntax {
+            Syntax::Wgsl | Syntax::Rust => format!("let {name}"),
+            _ => format!("{} {name}", dialect.type_name(input.ty)),
+        };
+        format!("{declared} = {};", held(dialect, input, given))
+    });
+    let body: Vec<String> =
+        taken.chain(main.statements.iter().cloned()).map(|statement| format!("    {statement}")).collect();
     let values = context! {
         header => header(options).trim_end(),
-        functions => functions(program, options, &names, Tables::Constants).trim(),
+        functions => functions.trim(),
         inputs,
-        statements => main.statements,
+        body => body.join("\n"),
         result => main.results.first(),
     };
     let mut environment = Environment::new();

@@ -31,6 +31,8 @@
 mod baking;
 mod build;
 mod emission;
+#[cfg(feature = "entry")]
+mod entries;
 mod fitting;
 mod fixed_film;
 mod inputs;
@@ -57,10 +59,9 @@ pub mod stability;
 pub mod tuning;
 
 pub use build::{Build, BuildError, Built};
-pub use emission::{
-    Emission, compute, cost, cost_baseline, fragment, library, library_quantity, points_fragment, prepared_bytes,
-    uniforms,
-};
+pub use emission::{Emission, library, library_quantity, prepared_bytes, uniforms};
+#[cfg(feature = "entry")]
+pub use entries::{compute, cost, cost_baseline, fragment, points_fragment};
 pub use fitting::{FitCache, NoCache};
 pub use inputs::ShadingQuantity;
 pub use media::MediaError;

@@ -73,7 +73,8 @@ Tasks:
   clients [NAME ...] [--json]
                      Install three.js, Babylon.js and PlayCanvas into target/clients, render what `pavo export` writes for
                      them in a headless Chromium, and compare each pixel with the CPU evaluation; where they are named,
-                     the same in MaterialX (needs xvfb) and blender (downloads 360 MB)
+                     the same by what is nearest to each: materialx (needs xvfb), blender (downloads 360 MB), slang,
+                     bevy, godot, filament (needs matc), metal
   savings            Print what the emitted code saves where a scene fixes something, as a Markdown table
   help               Print this
 

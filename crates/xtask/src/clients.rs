@@ -1,6 +1,6 @@
-//! Installs the engines that pavo exports for, and renders the exports in them.
+//! Installs the engines that pavo exports for, and runs the exports in them.
 
-mod python;
+mod script;
 
 use std::ffi::OsString;
 use std::path::Path;
@@ -11,24 +11,24 @@ use crate::failure::{Failure, Status};
 use crate::measuring::ended;
 use crate::programs::find_program;
 use crate::workspace::Workspace;
-use python::CLIENTS;
+use script::CLIENTS;
 
 /// The packages of npm, at the versions that the exports were made for.
 const PACKAGES: [&str; 4] = ["three@0.187", "@babylonjs/core@9.34", "playcanvas@2.23", "playwright-core@1"];
 
-/// Installs what is asked for and renders: the clients in a browser where none is named, and those in Python by name.
+/// Installs what is asked for and runs it: the clients of the web where none is named, and those with a script by name.
 ///
 /// # Errors
 ///
-/// What [`in_browser`] and [`python::run`] say.
+/// What [`in_browser`] and [`script::run`] say.
 pub fn run(workspace: &Workspace, names: &[OsString], json: bool) -> Result<(), Failure> {
-    let (by_python, by_browser): (Vec<OsString>, Vec<OsString>) =
+    let (by_script, by_browser): (Vec<OsString>, Vec<OsString>) =
         names.iter().cloned().partition(|name| CLIENTS.iter().any(|client| name == client.name));
     if names.is_empty() || !by_browser.is_empty() {
         in_browser(workspace, &by_browser, json)?;
     }
-    for client in CLIENTS.iter().filter(|client| by_python.iter().any(|name| name == client.name)) {
-        python::run(workspace, client, json)?;
+    for client in CLIENTS.iter().filter(|client| by_script.iter().any(|name| name == client.name)) {
+        script::run(workspace, client, json)?;
     }
     Ok(())
 }

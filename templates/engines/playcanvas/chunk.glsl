@@ -1,16 +1,11 @@
 {{ header }}
-{% if inputs | selectattr("name", "equalto", "film_ior") | list %}
+{% if "film_ior" in inputs %}
 uniform float material_iridescenceRefractionIndex;
 {% endif %}
 {{ functions }}
 
 // Reflectance of the film on its base, linear, with the signature of the engine's own function.
 {{ signature }} {
-{%- for input in inputs %}
-    {{ input.declared }} = {{ input.value }};
-{%- endfor %}
-{%- for statement in statements %}
-    {{ statement }}
-{%- endfor %}
+{{ body }}
     return {{ result }};
 }

@@ -6,12 +6,7 @@
 
 // Reflectance of the film on its base, linear. Takes the place of three.js's function of this name.
 {{ signature }} {
-{%- for input in inputs %}
-    {{ input.declared }} = {{ input.value }};
-{%- endfor %}
-{%- for statement in statements %}
-    {{ statement }}
-{%- endfor %}
+{{ body }}
     return {{ result }};
 }
 

@@ -1,9 +1,9 @@
-//! naga as a reader of WGSL and GLSL and as a writer of SPIR-V.
+//! naga as a reader of WGSL and GLSL and as a writer of SPIR-V and of the Metal Shading Language.
 
 use std::error::Error;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 
-use ::naga::back::{PipelineConstants, pipeline_constants, spv};
+use ::naga::back::{PipelineConstants, msl, pipeline_constants, spv};
 use ::naga::front::{glsl, wgsl};
 use ::naga::valid::{Capabilities, ModuleInfo, ValidationFlags, Validator};
 use ::naga::{Module, Span, WithSpan};
@@ -43,6 +43,17 @@ impl ValidModule {
             let (module, info) = pipeline_constants::process_overrides(&self.module, &self.info, None, &constants)
                 .map_err(|error| chain(&error))?;
             spv::write_vec(&module, &info, &options, None).map_err(|error| chain(&error))
+        })
+        .unwrap_or_else(Err)
+    }
+
+    /// Writes the functions in the Metal Shading Language 1.2, loops as they are written.
+    pub fn write_msl(&self) -> Result<String, String> {
+        let options = msl::Options { lang_version: (1, 2), force_loop_bounding: false, ..msl::Options::default() };
+        guarded(|| {
+            msl::write_string(&self.module, &self.info, &options, &msl::PipelineOptions::default())
+                .map(|(text, _)| text)
+                .map_err(|error| chain(&error))
         })
         .unwrap_or_else(Err)
     }

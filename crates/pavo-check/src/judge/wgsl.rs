@@ -1,4 +1,4 @@
-//! Judges WGSL, and assembles it to SPIR-V.
+//! Judges WGSL, assembles it to SPIR-V, and writes it in the Metal Shading Language.
 
 use super::naga_reader::{self, NAGA_VERSION, ValidModule};
 use super::spirv::spirv_verdict;
@@ -41,6 +41,17 @@ pub fn wgsl_to_spirv(file: &str, text: &str) -> Result<Vec<u32>, CheckError> {
     write(&module, file)
 }
 
+/// Writes the functions of a WGSL text in the Metal Shading Language, by naga, which has read and validated them. No
+/// compiler of Metal sees what is written.
+///
+/// Names that end with a digit get an underscore, comments are lost. `file` is the name to use in messages.
+///
+/// # Errors
+/// [`CheckError::Refused`] when naga refuses the text, or cannot write it.
+pub fn wgsl_to_msl(file: &str, text: &str) -> Result<String, CheckError> {
+    read(None, file, text)?.write_msl().map_err(|message| unwritten("in the Metal Shading Language", message, file))
+}
+
 fn read(required: Option<Stage>, file: &str, text: &str) -> Result<ValidModule, CheckError> {
     let module = naga_reader::read_wgsl(file, text).map_err(refused)?;
     match required {
@@ -53,10 +64,12 @@ fn read(required: Option<Stage>, file: &str, text: &str) -> Result<ValidModule, 
 }
 
 fn write(module: &ValidModule, file: &str) -> Result<Vec<u32>, CheckError> {
-    module.write_spirv().map_err(|message| {
-        let message = format!("naga cannot write this module as SPIR-V: {message}");
-        refused(Verdict::refusal(Judge::Naga, NAGA_VERSION, file, None, message))
-    })
+    module.write_spirv().map_err(|message| unwritten("as SPIR-V", message, file))
+}
+
+fn unwritten(what: &str, message: String, file: &str) -> CheckError {
+    let message = format!("naga cannot write this module {what}: {message}");
+    refused(Verdict::refusal(Judge::Naga, NAGA_VERSION, file, None, message))
 }
 
 fn refused(verdict: Verdict) -> CheckError {

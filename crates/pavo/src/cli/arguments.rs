@@ -137,6 +137,9 @@ pub struct Export {
     /// List the engines with their languages and how each was verified.
     #[arg(long)]
     pub list: bool,
+    /// Print the list as a table in Markdown.
+    #[arg(long, requires = "list", conflicts_with = "json")]
+    pub markdown: bool,
     /// Print JSON.
     #[arg(long)]
     pub json: bool,

@@ -1,7 +1,7 @@
 //! The cost of an evaluation of the reflectance: operations, what the compiler of a graphics card counts, or time.
 
 use super::TuningError;
-use crate::emission::{cost, cost_baseline};
+use crate::entries::{cost, cost_baseline};
 use crate::inputs::ShadingQuantity;
 use crate::points::spread;
 use crate::roads::{Road, table_numbers};

@@ -18,14 +18,18 @@ const TEMPLATES: &[(&str, &str)] = templates![
     "README.md",
     "check.html",
     "check-wgsl.html",
+    "bevy/module.wgsl",
     "blender/shader.osl",
+    "filament/thin_film.mat",
     "function.glsl",
     "function.hlsl",
     "function.wgsl",
+    "godot/include.gdshaderinc",
     "materialx/function.glsl",
     "materialx/pavo_thin_film.mtlx",
     "playcanvas/chunk.glsl",
     "playcanvas/chunk.wgsl",
+    "slang/module.slang",
     "three-wgsl/thin-film-material.js",
     "three/iridescence_fragment.glsl",
     "unity/function.hlsl",
@@ -46,6 +50,9 @@ pub struct Engine {
     pub name: String,
     /// What it is called.
     pub title: String,
+    /// The client of `cargo xtask clients` that runs the export; empty where it is judged only.
+    #[serde(default)]
+    pub client: String,
     /// With which version it was tried.
     pub tried: String,
     /// How it was verified.
@@ -81,6 +88,14 @@ pub struct EngineFile {
     /// Lines that are the engine's own and not the language's.
     #[serde(default)]
     pub engine_syntax: Vec<String>,
+    /// The line that opens the block in which the code stands; empty where the file has no blocks.
+    #[serde(default)]
+    pub block: String,
+    /// Whether each declaration says that it is highp.
+    #[serde(default)]
+    pub highp: bool,
+    /// The language that the judged text is then written in.
+    pub writer: Option<Writer>,
     /// The parameters of the signature: their names, and the names of the inputs that each may be for.
     pub parameters: Vec<[String; 2]>,
     /// Inputs that the engine has in another way, with the expression for each.
@@ -91,12 +106,28 @@ pub struct EngineFile {
     pub check: String,
 }
 
+/// Who writes a judged text in another language.
+#[derive(Clone, Copy, Debug, Deserialize)]
+#[serde(rename_all = "lowercase")]
+pub enum Writer {
+    /// naga, in the Metal Shading Language.
+    Msl,
+}
+
 impl EngineFile {
     /// The language.
     pub fn language(&self) -> Result<Language, Failure> {
         match self.language.parse() {
             Ok(Target::Text(language)) => Ok(language),
             _ => Err(broken(format!("`{}` is no language of text", self.language))),
+        }
+    }
+
+    /// The name of the language that the file is in at last.
+    pub fn written_language(&self) -> &str {
+        match self.writer {
+            Some(Writer::Msl) => "msl",
+            None => &self.language,
         }
     }
 
@@ -111,12 +142,17 @@ impl EngineFile {
         self.parameter(input).or_else(|| self.given.get(input).map(String::as_str))
     }
 
-    /// The text as the judges see it: under what the engine has above it, on one line each.
+    /// The text as the judges see it: under what the engine has above it, with lines that are the engine's own empty.
     pub fn judged(&self, text: &str) -> String {
-        let lines = text.lines().map(|line| if self.engine_syntax.iter().any(|own| own == line) { "" } else { line });
+        let lines: Vec<&str> = text.lines().collect();
+        // A block ends at the last line of the file.
+        let opened = lines.iter().position(|line| !self.block.is_empty() && *line == self.block);
+        let code = opened.map_or(0..lines.len(), |line| line + 1..lines.len() - 1);
         let mut judged: String = if self.before.is_empty() { String::new() } else { format!("{}\n", self.before) };
-        for line in lines {
-            judged.push_str(line);
+        for (index, line) in lines.into_iter().enumerate() {
+            if code.contains(&index) && !self.engine_syntax.iter().any(|own| own == line) {
+                judged.push_str(line);
+            }
             judged.push('\n');
         }
         judged

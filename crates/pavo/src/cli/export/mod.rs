@@ -1,6 +1,8 @@
 //! `pavo export`: the functions as an engine takes them, with what says where they go and whether they work.
 
 mod engines;
+mod finishing;
+mod list;
 mod page;
 
 use super::arguments;
@@ -11,11 +13,12 @@ use super::output;
 use super::progress::Progress;
 use super::sources::{Source, refused};
 use crate::Emission;
-use crate::emission::wrapped;
+use crate::entries::wrapped;
 use crate::inputs::ShadingQuantity;
 use crate::scene::{Base, ColourQuantity};
 use crate::tuning::{F0Loss, Judge, VariantErrors};
-use engines::{Engine, EngineFile, engine, engines, template};
+use engines::{Engine, EngineFile, engine, template};
+use finishing::{with_highp, written_by};
 use pavo_check::judge_text;
 use pavo_emit::{Form, Wrapper};
 use pavo_shade::Input;
@@ -28,7 +31,7 @@ const PREFIX: &str = "pavo_";
 /// Exports a scene for an engine, or lists the engines.
 pub fn run(arguments: &arguments::Export) -> Result<(), Failure> {
     if arguments.list {
-        return list(arguments.json);
+        return list::run(arguments.json, arguments.markdown);
     }
     let (Some(scene), Some(name)) = (&arguments.scene, &arguments.engine) else {
         return Err(Failure::input("a scene and an engine are needed", "write: pavo export SCENE --engine three"));
@@ -67,40 +70,6 @@ pub fn run(arguments: &arguments::Export) -> Result<(), Failure> {
     }
     for name in names {
         text.push_str(&format!("  {}\n", folder.join(name).display()));
-    }
-    output::print(&text)
-}
-
-fn list(as_json: bool) -> Result<(), Failure> {
-    let engines = engines()?;
-    if as_json {
-        let rows: Vec<_> = engines
-            .iter()
-            .map(|engine| {
-                let files = engine.files.iter().map(|file| {
-                    json!({ "file": file.file, "language": file.language, "signature": file.signature,
-                        "check": !file.check.is_empty() })
-                });
-                json!({
-                    "name": engine.name, "title": engine.title, "tried": engine.tried, "verified": engine.verified,
-                    "hook": engine.hook.trim(), "loses": engine.loses, "files": files.collect::<Vec<_>>(),
-                })
-            })
-            .collect();
-        return output::print(&format!("{:#}\n", json!(rows)));
-    }
-    let mut text = String::new();
-    for engine in &engines {
-        let languages: Vec<&str> = engine.files.iter().map(|file| file.language.as_str()).collect();
-        text.push_str(&format!(
-            "{:<12} {} ({}; {})\n{:<12} {}\n",
-            engine.name,
-            engine.title,
-            languages.join(", "),
-            engine.tried,
-            "",
-            engine.verified
-        ));
     }
     output::print(&text)
 }
@@ -153,15 +122,31 @@ impl Export<'_> {
         let given: Vec<String> =
             inputs.iter().map(|input| self.expression(file, input)).collect::<Result<_, Failure>>()?;
         let signature = template(&file.template)?.replace("{{ signature }}", &file.signature);
-        let wrapper = Wrapper { name: &file.template, template: &signature, given: &given };
+        let parameters: Vec<&str> = file.parameters.iter().map(|[name, _]| name.as_str()).collect();
+        let wrapper = Wrapper { name: &file.template, template: &signature, given: &given, parameters: &parameters };
         let command = self.command();
         let emission = Emission { language, command: &command, source_lines: false };
         let facts = [format!("Error: {}.", self.error()), format!("Cost: {}.", self.cost())];
-        let text = wrapped(&self.source.shading, emission, PREFIX, &facts, &wrapper)?;
+        let mut text = wrapped(&self.source.shading, emission, PREFIX, &facts, &wrapper)?;
+        if file.writer.is_none() && text.lines().any(|line| line.starts_with("enable ")) {
+            return Err(Failure::input(
+                format!(
+                    "half precision in WGSL needs `enable f16;` above the whole shader, where {} has text of its own",
+                    self.engine.title
+                ),
+                "leave `precision = \"half\"` out of [emit]",
+            ));
+        }
+        if file.highp {
+            text = with_highp(&text);
+        }
         let judged = file.judged(&text);
-        judge_text(language, Form::Library, &file.file, &judged)
-            .map_err(|error| refused(&file.file, &judged, error))?;
-        Ok(text)
+        let refusal = |error| refused(&file.file, &judged, error);
+        judge_text(language, Form::Library, &file.file, &judged).map_err(refusal)?;
+        match file.writer {
+            Some(writer) => written_by(writer, &file.file, &judged).map_err(refusal),
+            None => Ok(text),
+        }
     }
 
     fn expression(&self, file: &EngineFile, input: &Input) -> Result<String, Failure> {

@@ -1,7 +1,7 @@
 //! The sphere on the CPU, by the exact reference or by the variant: what `templates/entry/sphere.wgsl` does around the
 //! surface, so that two pictures differ by the film's reflectance alone.
 
-use crate::emission::over_sphere;
+use crate::entries::over_sphere;
 use crate::inputs::ShadingQuantity;
 use crate::media::MediaError;
 use crate::shading::Shading;
