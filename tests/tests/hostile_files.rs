@@ -128,6 +128,8 @@ fn a_table_that_is_no_table_is_refused() {
         (Put::Link("/dev/zero"), ["which is not a file", "taken from the folder"]),
         (Put::Link("odd.csv"), ["which is not a file", "taken from the folder"]),
         (Put::Zeros(100 << 20), ["it has 104857600 bytes", "the columns wavelength_nm"]),
+        // More than there is memory.
+        (Put::Zeros(1 << 40), ["it has 1099511627776 bytes", "the columns wavelength_nm"]),
         (Put::Bytes(b"wavelength_nm,n,k\n500,1\xff,0\n".to_vec()), ["it is not UTF-8: byte 24", "the columns"]),
         (Put::Text("wavelength_nm,n,k\n500,\u{1b}[31m\0,0\n".to_owned()), ["odd.csv", "line"]),
     ];
@@ -136,11 +138,17 @@ fn a_table_that_is_no_table_is_refused() {
             let folder = folder();
             fs::write(folder.path().join("scene.toml"), &text).expect("it can be written");
             put.at(&folder.path().join("odd.csv"));
-            let started = Instant::now();
-            let ran = run(PROGRAM, folder.path(), &["emit", "scene.toml", "--target", "wgsl"]);
-            assert_eq!(ran.status, 2, "{}", ran.errors);
-            assert!(fragments.iter().all(|fragment| ran.errors.contains(fragment)), "{fragments:?}\n{}", ran.errors);
-            assert!(is_printable(&ran) && started.elapsed() < TIME, "{}", ran.errors);
+            for arguments in [&["emit", "scene.toml", "--target", "wgsl"][..], &["tune", "scene.toml"]] {
+                let started = Instant::now();
+                let ran = run(PROGRAM, folder.path(), arguments);
+                assert_eq!(ran.status, 2, "{}", ran.errors);
+                assert!(
+                    fragments.iter().all(|fragment| ran.errors.contains(fragment)),
+                    "{fragments:?}\n{}",
+                    ran.errors
+                );
+                assert!(is_printable(&ran) && started.elapsed() < TIME, "{}", ran.errors);
+            }
         }
     }
 }

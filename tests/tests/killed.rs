@@ -60,9 +60,9 @@ fn files(folder: &Path) -> BTreeMap<PathBuf, Vec<u8>> {
     files
 }
 
-/// Kills a command that writes several files to `out`: half of the times at a random moment of its length, half of them
+/// Kills a command that writes several files to `out`, `kills` times: half of the times at a random moment of its length, half of them
 /// a moment after the first change in the folder. `last` is what it writes last: where that is new, all are.
-fn killed_with_many_files(arguments: &[&str], last: &str, seed: u64) {
+fn killed_with_many_files(arguments: &[&str], last: &str, kills: u32, seed: u64) {
     let folder = tempfile::tempdir().expect("a temporary folder can be made");
     let out = folder.path().join("out");
     let ran = run(PROGRAM, folder.path(), arguments);
@@ -74,7 +74,7 @@ fn killed_with_many_files(arguments: &[&str], last: &str, seed: u64) {
     let new = files(&out);
     assert!(new.len() > 2, "{new:?}");
     let mut random = Generator::new(seed);
-    for kill in 0..KILLS_OF_MANY {
+    for kill in 0..kills {
         for path in new.keys() {
             std::fs::write(path, OLD).expect("written");
         }
@@ -133,14 +133,21 @@ fn stopped_before(last: &Path, folder: &Path, arguments: &[&str]) {
 fn a_killed_build_leaves_old_files_or_new_ones() {
     let scene = scene_file("soap-bubble").display().to_string();
     let arguments = ["build", &scene, "--target", "wgsl,rust", "--variant", "series:m=1", "--no-run", "-o", "out"];
-    killed_with_many_files(&arguments, "manifest.json", 1);
+    killed_with_many_files(&arguments, "manifest.json", KILLS_OF_MANY, 1);
 }
 
 #[test]
 fn a_killed_export_leaves_old_files_or_new_ones() {
     let scene = scene_file("soap-bubble").display().to_string();
     let arguments = ["export", &scene, "--engine", "three", "-o", "out"];
-    killed_with_many_files(&arguments, "README.md", 2);
+    killed_with_many_files(&arguments, "README.md", KILLS_OF_MANY, 2);
+}
+
+#[test]
+fn a_killed_report_leaves_old_files_or_new_ones() {
+    // A surface without a film has few variants: a run takes seconds, and is killed a few times only.
+    let scene = scene_file("bare-plastic").display().to_string();
+    killed_with_many_files(&["report", &scene, "--no-run", "-o", "out"], "index.html", 4, 3);
 }
 
 #[test]

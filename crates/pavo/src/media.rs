@@ -9,7 +9,7 @@ use std::path::Path;
 use thiserror::Error;
 
 /// The largest table of optical constants or of an illuminant that is read, in bytes: 16 MiB, a thousand times the usual.
-const MAXIMUM_TABLE_BYTES: usize = 16 << 20;
+pub(crate) const MAXIMUM_TABLE_BYTES: usize = 16 << 20;
 
 /// What would be right where a file cannot be read.
 const FILE_HELP: &str = "csv names a file beside the scene, with the columns wavelength_nm (or wavelength_um), n and k; \

@@ -6,6 +6,9 @@ use sha2::{Digest, Sha256};
 use std::fmt::Write;
 use std::path::PathBuf;
 
+/// The largest text that is kept, in bytes; the largest that is made has some hundred kilobytes.
+const MAXIMUM_BYTES: usize = 64 << 20;
+
 /// A folder that keeps texts: that of `PAVO_CACHE`, or `pavo` among the user's caches. Without either, nothing is kept.
 pub struct DiskCache {
     folder: Option<PathBuf>,
@@ -32,7 +35,7 @@ impl DiskCache {
 
 impl FitCache for DiskCache {
     fn load(&self, key: &str) -> Option<String> {
-        std::fs::read_to_string(self.file(key)?).ok()
+        pavo_files::read_text_up_to(&self.file(key)?, MAXIMUM_BYTES).ok()
     }
 
     fn store(&self, key: &str, text: &str) {

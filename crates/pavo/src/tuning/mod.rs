@@ -12,7 +12,7 @@ pub use f0_loss::F0Loss;
 pub use measured::Measured;
 
 use crate::fitting::FitCache;
-use crate::media::MediaError;
+use crate::media::{MAXIMUM_TABLE_BYTES, MediaError};
 use crate::scene::Scene;
 use crate::shading::{Shading, ShadingError};
 use crate::variant::Variant;
@@ -263,7 +263,8 @@ fn scene_key(scene: &Scene) -> String {
     let mut key = serde_json::to_string(scene).unwrap_or_default();
     for file in scene.files() {
         key.push('\n');
-        key.push_str(&std::fs::read_to_string(file).unwrap_or_default());
+        // One that cannot be read, or is too large, is refused when the scene is made.
+        key.push_str(&pavo_files::read_text_up_to(file, MAXIMUM_TABLE_BYTES).unwrap_or_default());
     }
     key
 }
