@@ -360,7 +360,7 @@ fn a_base_that_is_no_one_material_is_refused() {
             "edge_tint",
         ),
         ("workflow", "workflow = 'f0'\nf0 = 0.5", "`base.f0` is", "`f0 = [0.1, 0.5, 0.2]`", "0.5"),
-        ("workflow", "workflow = 'f0'\nf0 = [0.5, 0.5]", "`base.f0` has", "`f0 = \"input\"`", "[0.5, 0.5]"),
+        ("workflow", "workflow = 'f0'\nf0 = [0.5, 0.5]", "`base.f0` lists 2 values", "`f0 = \"input\"`", "[0.5, 0.5]"),
         ("workflow", "workflow = 'f0'\nf0 = [0, 2, 0]", "`base.f0[1]` is 2, but", "divide 8-bit values", "2"),
         (
             "workflow",
@@ -523,8 +523,8 @@ fn an_error_is_drawn_with_its_line_its_labels_and_its_help() {
         " 12 │ [surface]",
         "    ╰────",
         "  help: keep one of these: `ior` (a dielectric), `ior` and `kappa` (a conductor), `metal` (such as Au, Al, Ti, Si), \
-         `csv` (a file of wavelength, n, k), `workflow = \"metalness\"`, `workflow = \"f0\"` and `f0` (what it reflects at \
-         normal incidence)",
+         `csv` (a file of wavelength, n, k), `workflow = \"metalness\"`, `workflow = \"f0\"`",
+        "        and `f0` (what it reflects at normal incidence)",
     ];
     assert_eq!(lines, expected);
 }
