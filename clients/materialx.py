@@ -4,6 +4,11 @@ Usage: xvfb-run python clients/materialx.py --pavo PAVO --folder DIR [--json]
 Exit codes are those of the command pavo.
 """
 
+import pathlib
+import shutil
+import subprocess
+import sys
+
 import MaterialX as mx
 from MaterialX import PyMaterialXGenGlsl as gen_glsl
 from MaterialX import PyMaterialXGenShader as gen_shader
@@ -38,8 +43,22 @@ def generated(generator, made, material, search):
     return writer.generate("film", material, context)
 
 
+def compiled(glslang, shader, name, folder, options):
+    """Has glslang compile both stages of a shader, which are left in the folder."""
+    for stage, suffix in [(gen_shader.VERTEX_STAGE, "vert"), (gen_shader.PIXEL_STAGE, "frag")]:
+        source = pathlib.Path(folder) / f"{name}.{suffix}"
+        source.write_text(shader.getSourceCode(stage))
+        ended = subprocess.run([glslang, "-S", suffix, *options, str(source)], capture_output=True, text=True)
+        if ended.returncode != 0:
+            raise SystemExit(f"glslang refuses {source}:\n{ended.stdout}{ended.stderr}")
+
+
 def main():
     given = vectors.arguments()
+    glslang = shutil.which("glslangValidator") or shutil.which("glslang")
+    if glslang is None:
+        print("error: glslang is not here; `cargo xtask setup` brings it. Nothing was rendered", file=sys.stderr)
+        raise SystemExit(3)
     folder = vectors.exported(given, "materialx")
     search = mx.getDefaultDataSearchPath()
     library = mx.createDocument()
@@ -47,14 +66,20 @@ def main():
     mx.readFromXmlFile(library, str(folder / "pavo_thin_film.mtlx"))
     search.append(mx.FilePath(str(folder)))
 
-    # Each generator that takes GLSL has to find the node.
-    generators = [gen_glsl.EsslShaderGenerator, gen_glsl.VkShaderGenerator, gen_glsl.GlslShaderGenerator]
+    # Each generator that takes GLSL has to find the node, and glslang has to take what it writes.
+    vulkan = ["-V", "-o", str(given.folder / "materialx.spv")]
+    generators = [
+        (gen_glsl.EsslShaderGenerator, "essl", []),
+        (gen_glsl.VkShaderGenerator, "vulkan", vulkan),
+        (gen_glsl.GlslShaderGenerator, "glsl", []),
+    ]
     made, node, material = document(library)
-    for generator in generators:
+    for generator, name, options in generators:
         shader = generated(generator, made, material, search)
         text = shader.getSourceCode(gen_shader.PIXEL_STAGE)
         if "pavo_thin_film(" not in text:
             raise SystemExit(f"the shader of {generator.__name__} does not call the node")
+        compiled(glslang, shader, f"materialx-{name}", given.folder, options)
 
     renderer = render_glsl.GlslRenderer.create(SIZE, SIZE, render.BaseType.FLOAT)
     renderer.initialize()

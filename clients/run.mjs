@@ -1,15 +1,15 @@
-// Renders the exports in their engines, in a headless Chromium, and compares each pixel with the CPU evaluation.
+// Renders the exports in their engines, in a headless Chromium, and compares each pixel with the CPU evaluation; two
+// exports of one engine with each other; and opens the check pages of the exports.
 //
 // Usage: node clients/run.mjs --pavo PAVO --packages DIR [--json] [NAME ...]
 // DIR has node_modules; exports, points and screenshots go into it. Exit codes are those of the command pavo.
 
-import { execFileSync, spawnSync } from 'node:child_process';
-import { existsSync, mkdirSync, readFileSync, writeFileSync } from 'node:fs';
-import { createServer } from 'node:http';
-import { createRequire } from 'node:module';
-import { dirname, extname, join, normalize, resolve } from 'node:path';
+import { execFileSync } from 'node:child_process';
+import { existsSync, mkdirSync, readFileSync, readdirSync, writeFileSync } from 'node:fs';
+import { dirname, join, resolve } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { parseArgs } from 'node:util';
+import { missing, onPage, serve } from './browser.mjs';
 
 const here = dirname(fileURLToPath(import.meta.url));
 const table = JSON.parse(readFileSync(join(here, 'clients.json'), 'utf8'));
@@ -29,47 +29,14 @@ const known = table.clients.map((client) => client.name);
 const unknown = names.filter((name) => !known.includes(name));
 if (unknown.length > 0) stop(2, `${unknown.join(', ')}: no such client; the clients are ${known.join(', ')}`);
 const clients = table.clients.filter((client) => names.length === 0 || names.includes(client.name));
-
-const browserPath = ['chromium', 'chromium-browser', 'google-chrome']
-    .map((name) => spawnSync('sh', ['-c', `command -v ${name}`], { encoding: 'utf8' }).stdout.trim())
-    .find((path) => path !== '');
-if (!browserPath) stop(3, 'no Chromium is here; on Debian, `apt-get install chromium` brings it. Nothing was rendered');
-for (const device of table.devices) {
-    const driver = device.environment.VK_DRIVER_FILES;
-    if (driver && !existsSync(driver)) {
-        stop(3, `${driver} is not here; on Debian, \`apt-get install mesa-vulkan-drivers\` brings it. Nothing was rendered`);
-    }
-}
-const require = createRequire(join(packages, 'package.json'));
-let chromium;
-try {
-    ({ chromium } = require('playwright-core'));
-} catch {
-    stop(3, `the npm package playwright-core is not in ${packages}. Nothing was rendered`);
-}
-
-const kinds = { '.html': 'text/html', '.js': 'text/javascript', '.mjs': 'text/javascript' };
-const templates = join(here, '..', 'templates');
-const page = `<!doctype html><meta charset="utf-8"><title>client</title>
-<style>body { margin: 0 } canvas { display: block }</style>
-<script type="importmap">${JSON.stringify({ imports: table.imports })}</script>`;
-const server = createServer((request, response) => {
-    const path = normalize(decodeURIComponent(new URL(request.url, 'http://localhost').pathname));
-    if (path === '/') return response.setHeader('content-type', 'text/html').end(page);
-    const root = path.startsWith('/node_modules/') ? packages : path.startsWith('/engines/') ? templates : here;
-    try {
-        const body = readFileSync(join(root, path));
-        return response.setHeader('content-type', kinds[extname(path)] ?? 'text/plain').end(body);
-    } catch {
-        return response.writeHead(404).end();
-    }
-});
-await new Promise((done) => { server.listen(0, '127.0.0.1', done); });
-const address = `http://127.0.0.1:${server.address().port}/`;
+const absent = missing(table.devices, packages);
+if (absent) stop(3, `${absent}. Nothing was rendered`);
+for (const folder of ['exports', 'points', 'screenshots']) mkdirSync(join(packages, folder), { recursive: true });
+const server = await serve({ here, packages, imports: table.imports });
 
 // The CPU evaluation of the scene at points, by the command.
 function evaluated(points, name) {
-    const header = 'cos_theta1,film_ior,thickness_nm,base_color_r,base_color_g,base_color_b';
+    const header = 'cos_theta1,film_ior,thickness_nm,f0_r,f0_g,f0_b';
     const file = join(packages, 'points', `${name}.csv`);
     writeFileSync(file, `${header}\n${points.map((point) => point.join(',')).join('\n')}\n`);
     const text = execFileSync(given.pavo, ['eval', join(here, 'scene.toml'), '--points', file, '--on', 'cpu-f64'],
@@ -80,69 +47,157 @@ function evaluated(points, name) {
     return rows.slice(1).map((row) => { const fields = row.split(','); return at.map((i) => Number(fields[i])); });
 }
 
-for (const folder of ['exports', 'points', 'screenshots']) mkdirSync(join(packages, folder), { recursive: true });
+// The largest difference between colours, not a number where one is none.
+function largest(found, expected) {
+    let worst = 0;
+    for (let i = 0; i < found.length; ++i) {
+        for (let c = 0; c < 3; ++c) {
+            const difference = Math.abs(found[i][c] - expected[i][c]);
+            if (!(difference <= worst)) worst = difference;
+        }
+    }
+    return worst;
+}
+
+// Outside of the sphere nothing is drawn; at the rim a cosine of 0 shows no film.
+const isOnSphere = (term, i) => term[i + 3] > 0.01;
+
+// Places of the pixels on the sphere in a term of four numbers a pixel.
+function places(term) {
+    const found = [];
+    for (let i = 0; i < term.length; i += 4) if (isOnSphere(term, i)) found.push(i);
+    if (found.length < table.size * table.size / 4) throw new Error(`the sphere has ${found.length} pixels only`);
+    return found;
+}
+
+const exported = new Set();
+function exports(engine) {
+    const folder = join(packages, 'exports', engine);
+    if (!exported.has(engine)) {
+        execFileSync(given.pavo, ['export', join(here, 'scene.toml'), '--engine', engine, '-o', folder],
+            { stdio: ['ignore', 'ignore', 'inherit'] });
+        exported.add(engine);
+    }
+    return folder;
+}
+
 const results = [];
+// Runs one row of the table; what goes wrong is its error.
+async function row(client, device, messages, fill) {
+    const result = { client, version: '', device: device.name, pixels: 0, max: Infinity, tolerance: device.tolerance, passed: false };
+    results.push(result);
+    try {
+        Object.assign(result, await fill());
+        result.passed = result.max <= result.tolerance;
+    } catch (error) {
+        result.error = error.message;
+        console.error(`${client} on ${device.name}: ${error.message}\n${messages.slice(0, 20).join('\n')}`);
+    }
+}
+
+// Renders a client's sphere with each of the settings; the terms that its material computes.
+async function rendered(client, device, messages) {
+    const name = `${client.name}-${device.name}`;
+    const code = readFileSync(join(exports(client.engine), client.file), 'utf8');
+    const webgpu = client.webgpu ?? false;
+    return onPage({ device, webgpu, packages, address: server.address, size: table.size, messages }, async (tab, renderer) => {
+        const version = await tab.evaluate(async ([module, code, size, webgpu]) => {
+            window.client = await (await import(module)).open(code, size, webgpu);
+            return String(window.client.version);
+        }, [`/pages/${client.page}.js`, code, table.size, webgpu]);
+        const terms = [];
+        for (const settings of table.settings) {
+            terms.push(await tab.evaluate(async (settings) => Array.from(await window.client.term(settings)), settings));
+        }
+        await tab.evaluate((settings) => window.client.show(settings), table.settings[1]);
+        await tab.screenshot({ path: join(packages, 'screenshots', `${name}.png`) });
+        return { version, renderer: `${webgpu ? 'WebGPU' : 'WebGL'}, ${renderer}`, terms };
+    });
+}
+
+// How far the terms are from the CPU evaluation.
+function compared(name, terms) {
+    let max = 0;
+    let pixels = 0;
+    table.settings.forEach((settings, index) => {
+        const term = terms[index];
+        const on = places(term);
+        const fixed = [Math.fround(settings.film_ior), settings.thickness_nm, ...settings.color.map(Math.fround)];
+        const expected = evaluated(on.map((i) => [term[i + 3], ...fixed]), name);
+        if (expected.length !== on.length) throw new Error('the evaluation has another number of points');
+        const difference = largest(on.map((i) => term.slice(i, i + 3)), expected);
+        if (!(difference <= max)) max = difference;
+        pixels += on.length;
+    });
+    return { max, pixels };
+}
+
+const rendering = new Map();
 for (const client of clients) {
     for (const device of table.devices) {
-        const flags = client.webgpu ? device.webgpu : device.flags;
-        // WebGPU is only asked for where the browser takes that device for it.
-        if (!flags) continue;
-        const name = `${client.name}-${device.name}`;
-        console.error(`rendering ${name}`);
-        const result = { client: client.name, version: '', device: device.name, pixels: 0, max: Infinity, tolerance: device.tolerance, passed: false };
-        results.push(result);
         const messages = [];
-        let browser;
-        try {
-            const folder = join(packages, 'exports', client.engine);
-            execFileSync(given.pavo, ['export', join(here, 'scene.toml'), '--engine', client.engine, '-o', folder],
-                { stdio: ['ignore', 'ignore', 'inherit'] });
-            const code = readFileSync(join(folder, client.file), 'utf8');
-            browser = await chromium.launch({
-                executablePath: browserPath,
-                args: ['--no-sandbox', '--disable-quic', '--no-first-run', '--disable-background-networking', ...flags],
-                env: { ...process.env, ...device.environment },
+        const reason = client.not_on?.[device.name];
+        if (reason) {
+            console.error(`not run: ${client.name} on ${device.name}: ${reason}`);
+            results.push({ client: client.name, device: device.name, not_run: reason });
+            continue;
+        }
+        console.error(`rendering ${client.name} on ${device.name}`);
+        await row(client.name, device, messages, async () => {
+            const { terms, ...about } = await rendered(client, device, messages);
+            rendering.set(`${client.name} ${device.name}`, terms);
+            return { ...about, ...compared(`${client.name}-${device.name}`, terms) };
+        });
+    }
+}
+
+// Pixel by pixel; rows go up in both.
+for (const { of: [first, second], tolerance } of table.pairs) {
+    for (const device of table.devices) {
+        const [a, b] = [first, second].map((name) => rendering.get(`${name} ${device.name}`));
+        if (!names.length || (names.includes(first) && names.includes(second))) {
+            await row(`${first} and ${second}`, device, [], async () => {
+                if (!a || !b) throw new Error('one of the two was not rendered');
+                let max = 0;
+                let pixels = 0;
+                a.forEach((term, index) => {
+                    const on = places(term).filter((i) => isOnSphere(b[index], i));
+                    if (on.length < 0.99 * places(term).length) throw new Error('the two spheres do not cover the same pixels');
+                    const difference = largest(on.map((i) => term.slice(i, i + 3)), on.map((i) => b[index].slice(i, i + 3)));
+                    if (!(difference <= max)) max = difference;
+                    pixels += on.length;
+                });
+                return { max, pixels, tolerance };
             });
-            const tab = await browser.newPage({ viewport: { width: table.size, height: table.size } });
-            tab.on('console', (message) => messages.push(message.text()));
-            tab.on('pageerror', (error) => messages.push(error.message));
-            await tab.goto(address);
-            const about = await tab.evaluate(async ([module, code, size]) => {
-                window.client = await (await import(module)).open(code, size);
-                return { version: String(window.client.version), renderer: window.client.device };
-            }, [`/pages/${client.page}.js`, code, table.size]);
-            Object.assign(result, about);
-            let worst = 0;
-            let pixels = 0;
-            for (const settings of table.settings) {
-                const term = await tab.evaluate(async (settings) => Array.from(await window.client.term(settings)), settings);
-                const points = [];
-                const found = [];
-                for (let i = 0; i < term.length; i += 4) {
-                    // Outside of the sphere nothing is drawn; at the rim a cosine of 0 shows no film.
-                    if (!(term[i + 3] > 0.01)) continue;
-                    points.push([term[i + 3], Math.fround(settings.film_ior), settings.thickness_nm, ...settings.color.map(Math.fround)]);
-                    found.push(term.slice(i, i + 3));
-                }
-                if (points.length < table.size * table.size / 4) throw new Error(`the sphere has ${points.length} pixels only`);
-                const expected = evaluated(points, name);
-                if (expected.length !== found.length) throw new Error('the evaluation has another number of points');
-                for (let i = 0; i < found.length; ++i) {
-                    for (let c = 0; c < 3; ++c) {
-                        const difference = Math.abs(found[i][c] - expected[i][c]);
-                        if (!(difference <= worst)) worst = difference;
-                    }
-                }
-                pixels += points.length;
-            }
-            await tab.evaluate((settings) => window.client.show(settings), table.settings[1]);
-            await tab.screenshot({ path: join(packages, 'screenshots', `${name}.png`) });
-            Object.assign(result, { pixels, max: worst, passed: worst <= device.tolerance });
-        } catch (error) {
-            result.error = error.message;
-            console.error(`${name}: ${error.message}\n${messages.slice(0, 20).join('\n')}`);
-        } finally {
-            await browser?.close();
+        }
+    }
+}
+
+// The pages that the exports bring: what they say of themselves is read. On a device with inexact sines more is allowed
+// than the page does.
+for (const engine of new Set(clients.map((client) => client.engine))) {
+    const folder = join(packages, 'exports', engine);
+    const pages = existsSync(folder) ? readdirSync(folder).filter((name) => /^check.*\.html$/.test(name)).sort() : [];
+    if (pages.length === 0) stop(1, `the export for ${engine} has no check page`);
+    for (const page of pages) {
+        for (const device of table.devices) {
+            const messages = [];
+            console.error(`opening ${page} of ${engine} on ${device.name}`);
+            await row(`${engine} ${page}`, device, messages, async () => onPage(
+                { device, webgpu: page.includes('wgsl'), packages, address: server.address, size: table.size, messages },
+                async (tab, renderer) => {
+                    await tab.goto(`${server.address}exports/${engine}/${page}`);
+                    const result = tab.locator('#result');
+                    await tab.waitForFunction(() => document.getElementById('result').textContent !== 'running');
+                    const said = await result.textContent();
+                    const [, verdict, points, max, allowed] =
+                        /^(passed|FAILED): (\d+) points, largest difference (\S+), tolerance (\S+)$/.exec(said) ?? [];
+                    if (!verdict) throw new Error(`the page says: ${said}`);
+                    if ((verdict === 'passed') !== (Number(max) <= Number(allowed))) throw new Error(`the page misjudges: ${said}`);
+                    return { renderer: `${renderer}; the page says: ${said}`, pixels: Number(points), max: Number(max),
+                        tolerance: Math.max(device.tolerance, Number(allowed)) };
+                },
+            ));
         }
     }
 }
@@ -152,9 +207,12 @@ if (given.json) {
     console.log(JSON.stringify(results, null, 2));
 } else {
     console.log('| client | version | device | pixels | max error | tolerance | |\n|---|---|---|---|---|---|---|');
-    for (const row of results) {
+    for (const row of results.filter((row) => !row.not_run)) {
         console.log(`| ${row.client} | ${row.version} | ${row.device} | ${row.pixels} | ${row.max.toExponential(1)} | ${row.tolerance.toExponential(0)} | ${row.passed ? 'passed' : 'FAILED'} |`);
     }
-    for (const row of results) console.log(`${row.client} on ${row.device}: ${row.renderer ?? row.error}`);
+    for (const row of results) {
+        const said = row.not_run ? `not run: ${row.not_run}` : row.error ?? row.renderer;
+        if (said) console.log(`${row.client} on ${row.device}: ${said}`);
+    }
 }
-process.exitCode = results.every((row) => row.passed) ? 0 : 1;
+process.exitCode = results.every((row) => row.passed || row.not_run) ? 0 : 1;

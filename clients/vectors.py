@@ -17,7 +17,7 @@ PARAMETERS = {
     "CosTheta": ["cos_theta1"],
     "ThicknessNm": ["thickness_nm"],
     "FilmIor": ["film_ior"],
-    "BaseColor": ["base_color_r", "base_color_g", "base_color_b"],
+    "BaseColor": ["f0_r", "f0_g", "f0_b"],
 }
 
 

@@ -28,7 +28,6 @@ export async function open(code, size) {
     if (!renderer.backend.isWebGPUBackend) throw new Error('this browser has no WebGPU');
     renderer.setSize(size, size);
     document.body.append(renderer.domElement);
-    const info = renderer.backend.device.adapterInfo;
     const target = new THREE.RenderTarget(size, size, { type: THREE.FloatType });
     const camera = new THREE.PerspectiveCamera(40, 1, 0.1, 10);
     camera.position.z = 3.1;
@@ -51,14 +50,15 @@ export async function open(code, size) {
 
     return {
         version: THREE.REVISION,
-        device: info ? [info.vendor, info.architecture, info.device, info.description].join(' ') : 'unknown',
         async term(settings) {
             renderer.setRenderTarget(target);
             renderer.setClearColor(0x000000, 0);
             renderer.render(sphere(settings, TermMaterial), camera);
             const pixels = await renderer.readRenderTargetPixelsAsync(target, 0, 0, size, size);
             renderer.setRenderTarget(null);
-            return pixels;
+            // Rows go up, as those of WebGL do.
+            const row = size * 4;
+            return pixels.map((_, i) => pixels[(size - 1 - Math.floor(i / row)) * row + i % row]);
         },
         async show(settings) {
             renderer.setClearColor(0x202020, 1);

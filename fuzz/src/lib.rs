@@ -121,13 +121,14 @@ fn names_a_file(scene: &Scene) -> bool {
         || scene.film.as_ref().is_some_and(|film| matches!(film.medium, FilmMedium::Table(_)))
 }
 
-/// Draws an error as the command does.
+/// Draws an error as the command does, the lines of the text at fault included.
 fn drawn(error: &dyn Diagnostic) {
     printable(&error.to_string());
     let mut drawing = String::new();
     GraphicalReportHandler::new_themed(GraphicalTheme::unicode_nocolor())
         .render_report(&mut drawing, error)
         .unwrap_or_else(|_| panic!("{error:?} cannot be drawn"));
+    printable(&drawing);
 }
 
 /// A message has no control characters: none of a user's text reaches the terminal as a command.

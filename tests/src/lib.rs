@@ -1,5 +1,6 @@
 //! What the tests that cross crates share: the starter scenes, and the command as a process.
 
+pub mod random;
 pub mod unused;
 
 use pavo::scene::Scene;

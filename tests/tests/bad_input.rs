@@ -97,34 +97,6 @@ fn a_bad_table_of_points_is_refused() {
 }
 
 #[test]
-fn more_points_than_are_read_are_refused_with_their_number() {
-    let points = format!("cos_theta1,thickness_nm\n{}", "1,100\n".repeat(2_000_000));
-    let arguments = ["eval", "scene.toml", "--points", "points.csv", "--on", "cpu-f64", "-o", "out.csv"];
-    refused(SCENE, &points, &arguments, "about 2.00e6 points; the most that are read are 1000000", "divide the table");
-}
-
-#[test]
-fn what_asks_for_too_much_is_refused_with_the_limit() {
-    let cases: [(&[&str], &str, &str); 8] = [
-        (&["emit", "scene.toml", "--target", "wgsl", "--variant", "spectral:n=1000000"], "n=1000000", "2 to 512"),
-        (&["emit", "scene.toml", "--target", "wgsl", "--variant", "series:m=100000"], "m=100000", "1 to 32"),
-        (&["emit", "scene.toml", "--target", "wgsl", "--variant", "windowed:k=500"], "k=500", "4 to 10"),
-        (&["emit", "scene.toml", "--target", "wgsl", "--variant", "table:9999x9999"], "9999x9999", "4096 entries"),
-        (&["fit", "scene", "scene.toml", "-k", "100000"], "nodes = 100000", "1 to 12"),
-        (&["fit", "sensitivities", "--family", "gauss", "--count", "1000000"], "1000000 were asked for", "1 to 5"),
-        (
-            &["fit", "sensitivities", "--family", "poles", "--count", "5", "--max-opd-um", "1e12"],
-            "is 1000000000000 um",
-            "from 0.5 to 40 um",
-        ),
-        (&["preview", "scene.toml", "--size", "100000"], "100000", "16..=4096"),
-    ];
-    for (arguments, expected, help) in cases {
-        refused(SCENE, "cos_theta1,thickness_nm\n1,0\n", arguments, expected, help);
-    }
-}
-
-#[test]
 fn points_outside_of_the_ranges_are_evaluated_and_counted() {
     let folder = tempfile::tempdir().expect("a temporary folder can be made");
     std::fs::write(folder.path().join("points.csv"), "cos_theta1,thickness_nm\n1,0\n1,5000\n0.5,-1\n")

@@ -3,6 +3,7 @@
 #[path = "../../fuzz/src/lib.rs"]
 mod targets;
 
+use pavo_tests::random::Generator;
 use std::path::Path;
 use targets::TARGETS;
 
@@ -21,16 +22,6 @@ fn corpus(target: &str) -> Vec<Vec<u8>> {
     files.sort();
     assert!(files.len() >= 5, "{target} has a corpus of {} files", files.len());
     files.iter().map(|file| std::fs::read(file).expect("the corpus can be read")).collect()
-}
-
-/// A linear congruential generator (Knuth, MMIX), the upper half of its state being used.
-struct Generator(u64);
-
-impl Generator {
-    fn below(&mut self, bound: usize) -> usize {
-        self.0 = self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-        ((self.0 >> 33) as usize) % bound.max(1)
-    }
 }
 
 fn changed(random: &mut Generator, corpus: &[Vec<u8>]) -> Vec<u8> {
@@ -62,7 +53,7 @@ fn what_is_fuzzed_holds_for_the_corpus() {
 
 #[test]
 fn what_is_fuzzed_holds_for_random_changes_of_the_corpus() {
-    let mut random = Generator(20_171_104);
+    let mut random = Generator::new(20_171_104);
     for (name, target) in TARGETS {
         let corpus = corpus(name);
         (0..CHANGES).for_each(|_| target(&changed(&mut random, &corpus)));

@@ -1,7 +1,9 @@
 //! A run that is killed leaves the old file or the new one, and what it was at is cleared away later.
 #![cfg(unix)]
 
+use pavo_tests::random::Generator;
 use pavo_tests::{run, scene_file};
+use std::collections::BTreeMap;
 use std::fs::FileTimes;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
@@ -10,6 +12,7 @@ use std::time::{Duration, Instant, SystemTime};
 const PROGRAM: &str = env!("CARGO_BIN_EXE_pavo-under-test");
 const OLD: &str = "what was there before\n";
 const KILLS: u32 = 40;
+const KILLS_OF_MANY: u32 = 24;
 
 fn unfinished(folder: &Path) -> Vec<PathBuf> {
     let entries = std::fs::read_dir(folder).expect("the folder can be read");
@@ -40,6 +43,104 @@ fn a_killed_run_leaves_the_old_file_or_the_new_one() {
         let found = std::fs::read_to_string(&output).expect("one of them is there");
         assert!(found == OLD || found == new, "kill {kill} left {} bytes", found.len());
     }
+}
+
+/// The files of a folder and of those in it by their paths, without the unfinished ones.
+fn files(folder: &Path) -> BTreeMap<PathBuf, Vec<u8>> {
+    let mut files = BTreeMap::new();
+    for entry in std::fs::read_dir(folder).into_iter().flatten() {
+        let path = entry.expect("it can be read").path();
+        if path.is_dir() {
+            files.extend(self::files(&path));
+        } else if path.extension().is_none_or(|extension| extension != "unfinished") {
+            let content = std::fs::read(&path).expect("it can be read");
+            files.insert(path, content);
+        }
+    }
+    files
+}
+
+/// Kills a command that writes several files to `out`: half of the times at a random moment of its length, half of them
+/// a moment after the first change in the folder. `last` is what it writes last: where that is new, all are.
+fn killed_with_many_files(arguments: &[&str], last: &str, seed: u64) {
+    let folder = tempfile::tempdir().expect("a temporary folder can be made");
+    let out = folder.path().join("out");
+    let ran = run(PROGRAM, folder.path(), arguments);
+    assert_eq!(ran.status, 0, "{}", ran.errors);
+    // With what it keeps between runs it is faster the second time.
+    let started = Instant::now();
+    assert_eq!(run(PROGRAM, folder.path(), arguments).status, 0);
+    let whole = started.elapsed();
+    let new = files(&out);
+    assert!(new.len() > 2, "{new:?}");
+    let mut random = Generator::new(seed);
+    for kill in 0..KILLS_OF_MANY {
+        for path in new.keys() {
+            std::fs::write(path, OLD).expect("written");
+        }
+        let mut command = Command::new(PROGRAM);
+        command.current_dir(folder.path()).args(arguments).stdout(Stdio::null()).stderr(Stdio::null());
+        let mut child = command.env("PAVO_CACHE", folder.path().join("cache")).spawn().expect("it can be started");
+        if kill % 2 == 0 {
+            std::thread::sleep(whole * random.below(1000) as u32 / 900);
+        } else {
+            let is_old = || unfinished(&out).is_empty() && files(&out).values().all(|text| text == OLD.as_bytes());
+            while child.try_wait().expect("it can be asked").is_none() && is_old() {}
+            std::thread::sleep(Duration::from_micros(random.below(2000) as u64));
+        }
+        // One that has ended by now is not there to be killed.
+        let _ = child.kill();
+        child.wait().expect("it has ended");
+        let found = files(&out);
+        assert_eq!(found.keys().collect::<Vec<_>>(), new.keys().collect::<Vec<_>>(), "kill {kill}");
+        let is_new = |path: &PathBuf| found[path] == new[path];
+        for path in new.keys() {
+            assert!(is_new(path) || found[path] == OLD.as_bytes(), "kill {kill}: half of {}", path.display());
+        }
+        assert!(!is_new(&out.join(last)) || new.keys().all(is_new), "kill {kill}: {last} is new before the others");
+    }
+    stopped_before(&folder.path().join("out").join(last), folder.path(), arguments);
+    // What they left is in nobody's way.
+    assert_eq!(run(PROGRAM, folder.path(), arguments).status, 0);
+    assert_eq!(files(&out), new);
+}
+
+/// Kills a run that has written all files but this one, at which it waits: it is a pipe that nobody reads.
+fn stopped_before(last: &Path, folder: &Path, arguments: &[&str]) {
+    let out = last.parent().expect("it is in a folder");
+    let new = files(out);
+    for path in new.keys() {
+        std::fs::write(path, OLD).expect("written");
+    }
+    std::fs::remove_file(last).expect("it can be removed");
+    assert!(Command::new("mkfifo").arg(last).status().expect("mkfifo can be run").success());
+    let mut command = Command::new(PROGRAM);
+    command.current_dir(folder).args(arguments).stdout(Stdio::null()).stderr(Stdio::null());
+    let mut child = command.env("PAVO_CACHE", folder.join("cache")).spawn().expect("it can be started");
+    let is_new = |path: &PathBuf| path == last || std::fs::read(path).is_ok_and(|found| found == new[path]);
+    let started = Instant::now();
+    while !new.keys().all(is_new) && started.elapsed() < Duration::from_secs(60) {
+        std::thread::sleep(Duration::from_millis(1));
+    }
+    assert!(new.keys().all(is_new), "the others are not written");
+    assert!(child.try_wait().expect("it can be asked").is_none(), "it does not wait for {}", last.display());
+    child.kill().expect("it can be killed");
+    child.wait().expect("it has ended");
+    std::fs::remove_file(last).expect("it can be removed");
+}
+
+#[test]
+fn a_killed_build_leaves_old_files_or_new_ones() {
+    let scene = scene_file("soap-bubble").display().to_string();
+    let arguments = ["build", &scene, "--target", "wgsl,rust", "--variant", "series:m=1", "--no-run", "-o", "out"];
+    killed_with_many_files(&arguments, "manifest.json", 1);
+}
+
+#[test]
+fn a_killed_export_leaves_old_files_or_new_ones() {
+    let scene = scene_file("soap-bubble").display().to_string();
+    let arguments = ["export", &scene, "--engine", "three", "-o", "out"];
+    killed_with_many_files(&arguments, "README.md", 2);
 }
 
 #[test]

@@ -11,7 +11,7 @@ use std::path::Path;
 const QUANTITY: ShadingQuantity = ShadingQuantity::Reflectance;
 
 /// A film for each kind of method: name, and the tables of its scene.
-const FILMS: [(&str, &str); 6] = [
+const FILMS: [(&str, &str); 9] = [
     ("dielectric", "[film]\nior = 1.5\nthickness_nm = [0, 1500]\n[base]\nior = 1.33"),
     ("conductor", "[film]\nior = 2.4\nthickness_nm = [0, 600]\n[base]\nior = 2.7\nkappa = 3.8"),
     ("any-media", "[film]\nior = [1.3, 2.4]\nthickness_nm = [0, 1000]\n[base]\nior = [1.1, 3]\nkappa = [0.1, 4]"),
@@ -19,6 +19,15 @@ const FILMS: [(&str, &str); 6] = [
     (
         "metalness",
         "[film]\nior = 1.5\nthickness_nm = [100, 900]\n[base]\nworkflow = 'metalness'\n[surface]\nbase_color = 'input'",
+    ),
+    ("f0", "[film]\nior = [1.3, 2]\nthickness_nm = [0, 1200]\n[base]\nworkflow = 'f0'\nf0 = 'input'"),
+    (
+        "edge-tint",
+        "[film]\nior = [1.3, 2]\nthickness_nm = [0, 1200]\n[base]\nworkflow = 'f0'\nf0 = 'input'\nedge_tint = 'input'",
+    ),
+    (
+        "under-water",
+        "[ambient]\nior = 1.33\n[film]\nior = 1.5\nthickness_nm = [0, 600]\n[base]\nworkflow = 'f0'\nf0 = [0.05, 0.2, 1]",
     ),
     ("uniform", "[film]\nior = 1.38\nthickness_nm = 250\n[base]\nior = 1.52"),
 ];
@@ -208,6 +217,27 @@ fn a_series_of_a_film_without_thickness_is_grey_and_lacks_the_higher_orders_only
                     .evaluate(QUANTITY, &[cosine, 0.0])[0]
                     - exact)
                     .abs();
+        }
+    }
+}
+
+#[test]
+fn a_base_whose_f0_is_that_of_air_mirrors_what_comes_under_glass_beyond_the_critical_angle() {
+    let base = "[ambient]\nior = 1.5\n[base]\nworkflow = 'f0'\nf0 = [0, 0.04, 1]";
+    let film = "[film]\nior = 1.5\nthickness_nm = [0, 600]";
+    for (name, tables, variants) in [
+        ("bare", base.to_owned(), vec!["fresnel:form=exact".parse().expect("a variant")]),
+        ("film", format!("{base}\n{film}"), general()),
+    ] {
+        for variant in variants {
+            let shading = Shading::new(&scene(name, &tables, ""), &variant).expect("any media will do");
+            let point = |cosine: f64| if name == "bare" { vec![cosine] } else { vec![cosine, 330.0] };
+            let [red, green, blue] = shading.evaluate(QUANTITY, &point(0.2));
+            // Index 1 mirrors, 1.5 is the glass itself, and the largest index nearly mirrors.
+            assert!((red - 1.0).abs() < 1e-6 && green.abs() < 1e-6, "{variant}: {red}, {green}");
+            assert!((0.99..=1.0 + 1e-6).contains(&blue), "{variant}: {blue}");
+            // Below the critical angle nothing mirrors so much.
+            assert!(shading.evaluate(QUANTITY, &point(0.9))[0] < 0.2, "{variant}");
         }
     }
 }

@@ -89,9 +89,8 @@ fn half_precision_runs_on_lavapipe_as_it_is_rounded_on_the_cpu() {
         let precision = &manifest["precision"];
         assert_eq!(precision["parts"], serde_json::json!(["weights and sums"]), "{variant}");
         assert_eq!(precision["languages"], serde_json::json!(["wgsl", "glsl450", "essl300"]), "{variant}");
-        // HLSL has no half precision here, and differs by what that adds.
-        let rows = manifest["runs"]["rows"].as_array().expect("runs are a list");
-        for row in rows.iter().filter(|row| row["road"] != "hlsl by glslang") {
+        // HLSL has no half precision here: it is held against the CPU in 32 bits.
+        for row in manifest["runs"]["rows"].as_array().expect("runs are a list") {
             // A value next to the middle of two numbers may be rounded to either; few are.
             let difference = &row["against_f32"];
             let [max, rms] = ["max", "rms"].map(|key| difference[key].as_f64().expect("a number"));

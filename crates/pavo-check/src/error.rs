@@ -29,7 +29,7 @@ pub enum CheckError {
     },
 
     /// A file cannot be read.
-    #[error("{}: cannot be read: {reason}", .path.display())]
+    #[error("{}: cannot be read: {reason}", pavo_files::shown(.path))]
     Unreadable {
         /// The file.
         path: PathBuf,
@@ -38,7 +38,7 @@ pub enum CheckError {
     },
 
     /// No judge reads this kind of file.
-    #[error("{}: no judge reads this kind of file: expected one of {expected}", .path.display())]
+    #[error("{}: no judge reads this kind of file: expected one of {expected}", pavo_files::shown(.path))]
     UnknownKind {
         /// The file.
         path: PathBuf,

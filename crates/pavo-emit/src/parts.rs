@@ -79,8 +79,13 @@ impl Expressions<'_> {
         Some(written)
     }
 
-    /// One component of a vector.
+    /// One component of a vector. OSL takes none of a vector that is made on the spot.
     fn part(&self, index: u32, part: usize) -> String {
+        match self.definition.nodes[index as usize].op {
+            Op::Literal3(bits) => return self.literal(f64::from_bits(bits[part])).0,
+            Op::Splat(x) if matches!(self.definition.nodes[x as usize].op, Op::Literal(_)) => return self.whole(x),
+            _ => {}
+        }
         let name = self.at_least(index, Binding::Primary);
         if self.dialect.syntax == Syntax::Osl {
             format!("{name}[{part}]")

@@ -34,7 +34,7 @@ pub fn baked_reflectance<S: Scalar>(
     cos_theta1: S,
 ) -> S::Vec3 {
     let t = 2.0 * cos_theta1 - 1.0;
-    polynomial::<S>(&film.coefficients, t, "color")
+    polynomial::<S>(&film.coefficients, t, "reflected")
 }
 
 /// Reflectance of this film as a linear colour: a quotient of polynomials in `t = 2 cos(theta1) - 1`, fitted to the exact

@@ -19,7 +19,7 @@ pub fn cosines_reflectance<S: Scalar, R: Lanes<S> + Value<Leaf = S::Leaf>>(
 ) -> S::Vec3 {
     let [s, p] = both_series_terms(film);
     let average = R::lit(1.0) - (s.transmittance + p.transmittance) * R::lit(0.5);
-    let mut color = precision.sum(average.into_vec3());
+    let mut reflected = precision.sum(average.into_vec3());
     let [g, _] = closing(window.width_nm, path_nm);
     let damping = powers_of_square(g, order, "window").into_iter().map(R::from_scalar);
     let amplitudes = order_amplitudes(order, s, p).into_iter().zip(damping);
@@ -28,7 +28,7 @@ pub fn cosines_reflectance<S: Scalar, R: Lanes<S> + Value<Leaf = S::Leaf>>(
     for ([cosine, sine], weight) in waves(window, path_nm).into_iter().zip(&window.weights) {
         let waves = multiples(cosine, sine, order).into_iter().map(|wave| wave.map(R::from_scalar));
         let node = order_sum(&damped, std::iter::repeat(R::lit(1.0)), waves);
-        color = precision.sum(color - precision.weighted::<S>(*weight, node.into_vec3())).named("color");
+        reflected = precision.sum(reflected - precision.weighted::<S>(*weight, node.into_vec3())).named("reflected");
     }
-    color
+    reflected
 }

@@ -128,7 +128,8 @@ pub struct BaseWave<R: Real> {
 
 /// The wave in the film. Its normal component is kept away from 0, where the phase vanishes with it.
 pub fn film_wave<R: Real>(total_reflection: bool, cos_theta1: R, ambient_ior: R, film_ior: R) -> FilmWave<R> {
-    let smallest = R::lit(1e-12);
+    // Less than the square of the smallest cosine that series take: for these nothing needs to be kept away.
+    let smallest = R::lit(0.5 * GRAZING * GRAZING);
     let square = normal_component_squared(cos_theta1, ambient_ior, film_ior);
     let (q2_squared, modulus) = if total_reflection {
         let q2_squared = R::select(square.abs().less_than(smallest), smallest, square).named("q2_squared");
@@ -244,6 +245,9 @@ pub fn film_reflectance<S: Scalar, R: Lanes<S> + Value<Leaf = S::Leaf>>(
     /// Extinction coefficient of the base, >= 0.
     base_kappa: R,
 ) -> S::Vec3 {
+    // At 0 nothing enters: what divides by that is lost.
+    let divides = !matches!(film.method, Method::Spectral { .. });
+    let cos_theta1 = if divides { cos_theta1.max(S::lit(GRAZING)).named("cosine") } else { cos_theta1 };
     let media = Media { cos_theta1, ambient_ior, film_ior };
     let wave = media.wave(film.total_reflection);
     let path_nm = thickness_nm * wave.q2;
@@ -289,6 +293,9 @@ pub fn film_reflectance<S: Scalar, R: Lanes<S> + Value<Leaf = S::Leaf>>(
     let is_total_reflection = wave.q2_squared.less_than(S::lit(FRUSTRATED_BELOW));
     S::Vec3::choose(is_total_reflection, frustrated_reflectance::<S, R>(film, terms, wave, path_nm), series)
 }
+
+/// The smallest cosine of the angle of incidence for methods that sum the orders of interference.
+const GRAZING: f64 = 1e-6;
 
 /// The square of the normal wave vector component in the film below which the exact reflectance at one wavelength a
 /// channel takes over. Just above 0 the waves outside dwarf that in the film: sums over orders lose their digits, and the

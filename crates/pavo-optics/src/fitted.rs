@@ -240,10 +240,10 @@ fn angle_mean<S: Scalar>(mean: &FittedMean, y: S) -> S::Vec3 {
 
 /// The sum over the nodes of a function of the phase, times the node's weights.
 fn sum<S: Scalar>(nodes: &[FittedNode], path_nm: S, of_phase: impl Fn(S) -> S) -> S::Vec3 {
-    let mut color = S::Vec3::lit(0.0);
+    let mut reflected = S::Vec3::lit(0.0);
     for node in nodes {
         let phase = (S::lit(4.0 * PI * node.wave_number) * path_nm + S::lit(node.phase)).named("phase");
-        color = (color + S::Vec3::lit3(node.weight) * of_phase(phase).named("wave")).named("color");
+        reflected = (reflected + S::Vec3::lit3(node.weight) * of_phase(phase).named("wave")).named("reflected");
     }
-    color
+    reflected
 }

@@ -82,6 +82,9 @@ pub fn fresnel_schlick<S: Scalar>(
     specular_color + (S::Vec3::lit(1.0) - specular_color) * weight
 }
 
+/// The largest amplitude of a reflection at normal incidence that an index is made for.
+pub(crate) const LARGEST_AMPLITUDE: f64 = 0.9999;
+
 /// Refractive index of the dielectric that reflects this much at normal incidence: `(1 + s) / (1 - s)` times the
 /// ambient index, with `s` the root of the reflectance. The root is held below 0.9999, an index of 2e4, which
 /// reflects 0.9998 at normal incidence.
@@ -94,7 +97,7 @@ pub fn ior_from_reflectance<R: Real>(
     /// Refractive index of the ambient medium, > 0.
     ambient_ior: R,
 ) -> R {
-    let amplitude = reflectance.max(R::lit(0.0)).sqrt().min(0.9999);
+    let amplitude = reflectance.max(R::lit(0.0)).sqrt().min(R::lit(LARGEST_AMPLITUDE));
     ambient_ior * (1.0 + amplitude) / (1.0 - amplitude)
 }
 

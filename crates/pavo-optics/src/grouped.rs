@@ -38,7 +38,7 @@ pub fn windowed_group<S: Scalar, R: Lanes<S> + Value<Leaf = S::Leaf>>(
     ambient_ior: S,
     /// The window g at this optical path difference, (0, 1].
     window: S,
-    /// Its square, held at 0.1 or above.
+    /// Its square, held at 0.15 or above.
     window_squared: S,
     /// Refractive index of the film in this group, > 0.
     #[runtime]
@@ -71,7 +71,7 @@ pub fn grouped_reflectance<S: Scalar, R: Lanes<S> + Value<Leaf = S::Leaf>>(
     // What groups without a film index of their own share.
     let closing_of_all = closing(window.width_nm, path_nm);
     let mut phases_of_all = phases(window, film.base, path_nm).into_iter();
-    let mut color = S::Vec3::lit(0.0);
+    let mut reflected = S::Vec3::lit(0.0);
     for (part, group) in parts(window, groups) {
         let [base_ior, base_kappa] = group.base.map_or(base_index, |(ior, kappa)| [R::lit(ior), R::lit(kappa)]);
         let film_ior = group.film.map_or(media.film_ior, S::lit);
@@ -99,11 +99,12 @@ pub fn grouped_reflectance<S: Scalar, R: Lanes<S> + Value<Leaf = S::Leaf>>(
         let precision = film.precision;
         let nodes = phases.into_iter().map(|phase| terms.node(precision, phase.map(R::from_scalar)));
         let (rest, centre) = terms.rest_and_centre(precision);
-        let rest =
-            precision.sum(color + precision.weighted::<S>(share(&part.weights), rest.into_vec3())).named("color");
-        color = color_of_nodes(precision, nodes, &part.weights, (rest, centre));
+        let rest = precision
+            .sum(reflected + precision.weighted::<S>(share(&part.weights), rest.into_vec3()))
+            .named("reflected");
+        reflected = color_of_nodes(precision, nodes, &part.weights, (rest, centre));
     }
-    color
+    reflected
 }
 
 /// The base as each channel sees it most: the index of the group with the largest share.

@@ -13,6 +13,7 @@
 pub mod airy;
 pub mod baked;
 pub mod cosines;
+pub mod f0;
 pub mod film;
 pub mod fitted;
 pub mod fresnel;

@@ -6,9 +6,9 @@ use pavo_shade::{Real, Scalar, Vector, shade};
 #[shade]
 pub struct Colors<V: Real> {
     /// Diffuse colour: the albedo of what enters.
-    pub diffuse: V,
+    pub diffuse_color: V,
     /// Specular colour: the reflectance at normal incidence.
-    pub specular: V,
+    pub specular_color: V,
 }
 
 /// Diffuse and specular colour of the metalness workflow. At 0 the base colour is diffuse and 4 % are reflected; at 1
@@ -23,7 +23,7 @@ pub fn metalness_colors<S: Scalar>(
     metalness: S,
 ) -> Colors<S::Vec3> {
     Colors {
-        diffuse: base_color * (1.0 - metalness),
-        specular: S::Vec3::mix(S::Vec3::lit(0.04), base_color, S::Vec3::splat(metalness)),
+        diffuse_color: base_color * (1.0 - metalness),
+        specular_color: S::Vec3::mix(S::Vec3::lit(0.04), base_color, S::Vec3::splat(metalness)),
     }
 }

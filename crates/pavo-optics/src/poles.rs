@@ -82,7 +82,7 @@ pub fn poles_reflectance<S: Scalar, R: Lanes<S> + Value<Leaf = S::Leaf>>(
 ) -> S::Vec3 {
     let [s, p] = both_series_terms(film);
     let average = R::lit(1.0) - (s.transmittance + p.transmittance) * R::lit(0.5);
-    let mut color = precision.sum(average.into_vec3());
+    let mut reflected = precision.sum(average.into_vec3());
     for pole in poles {
         let omega = S::lit(pole.angular_wave_number);
         let resonance = pole_resonance::<S, R>(s, p, opd_nm, omega, S::lit(pole.decay)).named("resonance");
@@ -90,7 +90,7 @@ pub fn poles_reflectance<S: Scalar, R: Lanes<S> + Value<Leaf = S::Leaf>>(
             precision.weighted::<S>(pole.weight_re, resonance.re.into_vec3())
                 - precision.weighted::<S>(pole.weight_im, resonance.im.into_vec3()),
         );
-        color = precision.sum(color - weighted).named("color");
+        reflected = precision.sum(reflected - weighted).named("reflected");
     }
-    color
+    reflected
 }

@@ -47,8 +47,7 @@ pub fn relative_film<S: Scalar, R: Lanes<S> + Value<Leaf = S::Leaf>>(
     let film_squared = (media.film_ior * media.film_ior).named("film_permittivity");
     let q2_inverse = film.q2_inverse;
     let ambient_scale = (film_squared * (one / ambient_squared)).named("ambient_scale");
-    // At 0 nothing enters, and what divides by it is lost.
-    let ambient = (media.q1() * q2_inverse).max(S::lit(1e-6)).named("ambient");
+    let ambient = (media.q1() * q2_inverse).named("ambient");
     let ambient_p = lanes((ambient * ambient_scale).named("ambient_p"));
     let (ambient, q2_inverse) = (lanes(ambient), lanes(q2_inverse));
     let (cos_theta1, ambient_ior) = (lanes(media.cos_theta1), lanes(media.ambient_ior));

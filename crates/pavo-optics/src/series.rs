@@ -80,7 +80,7 @@ pub fn series_reflectance<S: Scalar, R: Lanes<S> + Value<Leaf = S::Leaf>>(
 ) -> S::Vec3 {
     let [s, p] = both_series_terms(film);
     let average = R::lit(1.0) - (s.transmittance + p.transmittance) * R::lit(0.5);
-    let mut color = precision.sum(average.into_vec3());
+    let mut reflected = precision.sum(average.into_vec3());
     let amplitudes = order_amplitudes(order, s, p);
     let opd_squared = (opd_nm * opd_nm).named("opd_squared");
     for term in &fit.terms {
@@ -101,9 +101,9 @@ pub fn series_reflectance<S: Scalar, R: Lanes<S> + Value<Leaf = S::Leaf>>(
             let damping = powers_of_square(gaussian, order, "gaussian");
             order_sum(&amplitudes, damping, multiples(cosine, sine, order))
         };
-        color = precision.sum(color - precision.weighted::<S>(term.weight, wave)).named("color");
+        reflected = precision.sum(reflected - precision.weighted::<S>(term.weight, wave)).named("reflected");
     }
-    color
+    reflected
 }
 
 /// What one wave number adds up to over the orders: the sum of `Re(amplitude_m damping_m e^(i m phase))`.

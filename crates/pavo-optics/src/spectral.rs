@@ -172,10 +172,10 @@ fn weighted_in<V: Vector<S>, S: Real>(
     nodes: &[SpectralNode],
     reflectance: impl Fn(&SpectralNode) -> V,
 ) -> V {
-    let mut color = V::lit(0.0);
+    let mut reflected = V::lit(0.0);
     for node in nodes {
         let weighted = precision.sum(precision.sum(reflectance(node)) * precision.sum(V::lit3(node.weight)));
-        color = precision.sum(color + weighted).named("color");
+        reflected = precision.sum(reflected + weighted).named("reflected");
     }
-    color
+    reflected
 }

@@ -1,6 +1,7 @@
 //! The whole surface: Fresnel or the film, microfacets, diffuse reflection, and a punctual light.
 
 use crate::baked::{BakedFilm, baked};
+use crate::f0::base_index;
 use crate::film::{BaseKind, Film, film_reflectance};
 use crate::fitted::{FittedFilm, fitted_reflectance};
 use crate::fresnel::{fresnel_conductor, fresnel_dielectric, fresnel_schlick, grey, ior_from_reflectance};
@@ -39,6 +40,9 @@ pub enum Specular {
     },
     /// A film on a base given by its specular colour.
     FilmOnMetalness(Film),
+    /// A film on a base given by its reflectance at normal incidence under air: a conductor by its edge tint, or a
+    /// dielectric.
+    FilmOnF0(Film),
     /// A uniform film on its base, as a polynomial over the angle.
     Baked(BakedFilm),
     /// A film of fixed indices, by a form fitted to its reflectance.
@@ -53,6 +57,14 @@ pub enum Specular {
     BareMetalness {
         /// Whether by the Fresnel equations of the dielectric that has this colour at normal incidence, instead of
         /// Schlick's approximation.
+        exact: bool,
+    },
+    /// No film: a base given by its reflectance at normal incidence under air.
+    BareF0 {
+        /// A conductor by its edge tint, or a dielectric.
+        base: BaseKind,
+        /// Whether by the Fresnel equations, instead of Schlick's approximation, which is for air and knows no edge
+        /// tint.
         exact: bool,
     },
 }
@@ -87,6 +99,10 @@ pub struct Layers<S: Scalar> {
     pub base_ior: S,
     /// Extinction coefficient of the base, >= 0.
     pub base_kappa: S,
+    /// Reflectance of the base at normal incidence under air, linear, [0, 1].
+    pub f0: S::Vec3,
+    /// Edge tint of the base, [0, 1].
+    pub edge_tint: S::Vec3,
 }
 
 /// Roughness and colours.
@@ -151,7 +167,7 @@ pub fn surface_reflectance<S: Scalar>(
     /// Metalness, [0, 1].
     metalness: S,
 ) -> S::Vec3 {
-    let Layers { thickness_nm, ambient_ior, film_ior, base_ior, base_kappa } = layers;
+    let Layers { thickness_nm, ambient_ior, film_ior, base_ior, base_kappa, f0, edge_tint } = layers;
     match &surface.specular {
         Specular::Film(film) => {
             film_reflectance::<S, S>(film, cos_theta1, thickness_nm, ambient_ior, film_ior, base_ior, base_kappa)
@@ -161,10 +177,14 @@ pub fn surface_reflectance<S: Scalar>(
             film_reflectance::<S, S::Vec3>(film, cos_theta1, thickness_nm, ambient_ior, film_ior, base_ior, base_kappa)
         }
         Specular::FilmOnMetalness(film) => {
-            let specular_color = metalness_colors::<S>(base_color, metalness).specular;
+            let specular_color = metalness_colors::<S>(base_color, metalness).specular_color;
             let base_ior = ior_from_reflectance(specular_color, S::Vec3::splat(ambient_ior));
             let none = S::Vec3::lit(0.0);
             film_reflectance::<S, S::Vec3>(film, cos_theta1, thickness_nm, ambient_ior, film_ior, base_ior, none)
+        }
+        Specular::FilmOnF0(film) => {
+            let base = base_index::<S>(film.base, f0, edge_tint);
+            film_reflectance::<S, S::Vec3>(film, cos_theta1, thickness_nm, ambient_ior, film_ior, base.ior, base.kappa)
         }
         Specular::Baked(film) => baked::<S>(film, cos_theta1),
         Specular::Fitted(film) => fitted_reflectance::<S>(film, cos_theta1, thickness_nm),
@@ -178,12 +198,21 @@ pub fn surface_reflectance<S: Scalar>(
             grey::<S>(bare_node_reflectance(cos_theta1, ambient_ior, S::lit(base_ior), S::lit(base_kappa)))
         }),
         Specular::BareMetalness { exact } => {
-            let specular_color = metalness_colors::<S>(base_color, metalness).specular;
+            let specular_color = metalness_colors::<S>(base_color, metalness).specular_color;
             if !exact {
                 return fresnel_schlick::<S>(cos_theta1, specular_color);
             }
             let (cosine, ambient_ior) = (S::Vec3::splat(cos_theta1), S::Vec3::splat(ambient_ior));
             fresnel_dielectric(cosine, ambient_ior, ior_from_reflectance(specular_color, ambient_ior))
+        }
+        Specular::BareF0 { exact: false, .. } => fresnel_schlick::<S>(cos_theta1, f0),
+        Specular::BareF0 { base, exact: true } => {
+            let index = base_index::<S>(*base, f0, edge_tint);
+            let (cosine, ambient_ior) = (S::Vec3::splat(cos_theta1), S::Vec3::splat(ambient_ior));
+            match base {
+                BaseKind::Conductor => fresnel_conductor(cosine, ambient_ior, index.ior, index.kappa),
+                BaseKind::Dielectric { .. } => fresnel_dielectric(cosine, ambient_ior, index.ior),
+            }
         }
     }
 }
@@ -246,9 +275,10 @@ pub fn brdf_of_reflectance<S: Scalar>(
         return specular;
     }
     let is_metalness = surface.specular.is_metalness();
-    let diffuse_color = if is_metalness { metalness_colors::<S>(base_color, metalness).diffuse } else { base_color };
-    let diffuse = lambert::<S>(diffuse_color).named("diffuse");
-    diffuse * (S::Vec3::lit(1.0) - reflectance) + specular.named("specular")
+    let diffuse_color =
+        if is_metalness { metalness_colors::<S>(base_color, metalness).diffuse_color } else { base_color };
+    let diffuse_brdf = lambert::<S>(diffuse_color).named("diffuse_brdf");
+    diffuse_brdf * (S::Vec3::lit(1.0) - reflectance) + specular.named("specular")
 }
 
 /// Radiance that a punctual light leaves towards the view.

@@ -63,12 +63,12 @@ pub fn tabulated_reflectance<S: Scalar, R: Lanes<S> + Value<Leaf = S::Leaf>>(
 ) -> S::Vec3 {
     let [s, p] = both_series_terms(film);
     let average = R::lit(1.0) - (s.transmittance + p.transmittance) * R::lit(0.5);
-    let mut color = average.into_vec3();
+    let mut reflected = average.into_vec3();
     for (index, [re, im]) in order_amplitudes(order, s, p).into_iter().enumerate() {
         let m = S::lit((index + 1) as f64);
         let sensitivity = tabulated_sensitivity::<S>(transform, m * opd_nm).named("sensitivity");
         let interference = sensitivity.re * re.into_vec3() - sensitivity.im * im.into_vec3();
-        color = (color - interference).named("color");
+        reflected = (reflected - interference).named("reflected");
     }
-    color
+    reflected
 }

@@ -1,7 +1,7 @@
 //! Equally spaced wave numbers under a Gaussian window, all orders: the sensitivities are
 //! `S_j(D) = g sum_k w_jk e^(i omega_k D)` with `g = e^(-(D / D_c)^2)`.
 //!
-//! The orders add up as a Poisson kernel. With `h = max(g^2, 0.1)`, `kappa = 1 / h` and `B = b g h`, orders 1 and 2
+//! The orders add up as a Poisson kernel. With `h = max(g^2, 0.15)`, `kappa = 1 / h` and `B = b g h`, orders 1 and 2
 //! carry their exact damping, and
 //!
 //! `R_j = 1 - sum_pol Q (1 - kappa) / 2 - sum_pol (kappa Q / 2) sum_k w_jk (1 - |B|^2) / |1 - B e^(i omega_k D)|^2`.
@@ -29,40 +29,66 @@ pub struct Window {
     pub weights: Vec<[f64; 3]>,
 }
 
-/// One polarisation of a film on a real base, under the window: with `x = sin^2(phase / 2)` a node contributes
-/// `transmittance sum difference / (difference^2 (1 - x) + sum^2 x)`.
+/// Both polarisations of a film on a real base, under the window. A node contributes, with `x = sin^2(phase / 2)`,
+/// `(top_0 + top_1 x) / ((s_0 + s_1 x) (p_0 + p_1 x))`. A factor for each polarisation keeps the digits that a polynomial
+/// of their product would lose where one end is far below the other.
 #[shade]
 pub struct RealKernel<R: Real> {
-    /// `kappa Q / 4`.
+    /// `kappa Q / 4`, summed over both polarisations.
     pub transmittance: R,
-    /// `s + t`: `s = (1 + r)(1 + u) / 2` of the waves r in the ambient medium and u in the base, `t = B s`.
-    pub sum: R,
-    /// `s - t`.
-    pub difference: R,
+    /// The numerator at phase 0.
+    pub top_0: R,
+    /// What it gains with x.
+    pub top_1: R,
+    /// The denominator of s polarisation at phase 0.
+    pub s_0: R,
+    /// What it gains with x.
+    pub s_1: R,
+    /// The denominator of p polarisation at phase 0.
+    pub p_0: R,
+    /// What it gains with x.
+    pub p_1: R,
 }
 
-/// One polarisation of a film on a real base, under the window.
+/// Both polarisations of a film on a real base, under the window.
 ///
 /// Source: the Poisson kernel over orders of Belcour and Barla 2017, equation 9.
 #[shade]
 pub fn real_kernel<R: Real>(
-    /// Wave vectors outside the film, over that in the film.
-    waves: RelativeWaves<R>,
+    /// Wave vectors of s polarisation outside the film, over that in the film.
+    s: RelativeWaves<R>,
+    /// The same for p polarisation.
+    p: RelativeWaves<R>,
     /// What is left of a round trip: `g h`, (0, 1].
     damping: R,
-    /// The square h of the window, held at 0.1 or above.
+    /// The square h of the window, held at 0.15 or above.
     window_squared: R,
 ) -> RealKernel<R> {
-    // Beyond these, next to the critical angle, the squares of squares leave the range of f32.
-    let ambient = waves.ambient.min(1e4);
-    let base = waves.base.min(1e4);
-    let entering = ambient * base;
-    let straight = 1.0 + entering;
-    let crossed = ambient + base;
-    let transmittance = entering / (straight * crossed * window_squared);
-    // With s = (1 + r)(1 + u) / 2 and t = damping (1 - r)(1 - u) / 2.
-    let lost = (0.5 - 0.5 * damping) * (straight - crossed);
-    RealKernel { transmittance, sum: straight - lost, difference: crossed + lost }
+    // With s = (1 + r)(1 + u) / 2 of the waves r in the ambient medium and u in the base, and t = B s.
+    let [entering_s, entering_p] = [(s.ambient * s.base).named("entering_s"), (p.ambient * p.base).named("entering_p")];
+    let [straight_s, straight_p] = [(entering_s + 1.0).named("straight_s"), (entering_p + 1.0).named("straight_p")];
+    let [crossed_s, crossed_p] = [(s.ambient + s.base).named("crossed_s"), (p.ambient + p.base).named("crossed_p")];
+    let lost = (0.5 - 0.5 * damping).named("lost");
+    let [lost_s, lost_p] = [lost * (straight_s - crossed_s), lost * (straight_p - crossed_p)];
+    let [sum_s, sum_p] = [(straight_s - lost_s).named("sum_s"), (straight_p - lost_p).named("sum_p")];
+    let [difference_s, difference_p] =
+        [(crossed_s + lost_s).named("difference_s"), (crossed_p + lost_p).named("difference_p")];
+    let transmittance = |entering: R, straight: R, crossed: R| entering / (straight * crossed * window_squared);
+    let transmittance_s = transmittance(entering_s, straight_s, crossed_s).named("transmittance_s");
+    let transmittance_p = transmittance(entering_p, straight_p, crossed_p).named("transmittance_p");
+    let top_s = (transmittance_s * (sum_s * difference_s)).named("top_s");
+    let top_p = (transmittance_p * (sum_p * difference_p)).named("top_p");
+    let [s_0, p_0] = [(difference_s * difference_s).named("s_0"), (difference_p * difference_p).named("p_0")];
+    let [s_1, p_1] = [(sum_s * sum_s - s_0).named("s_1"), (sum_p * sum_p - p_0).named("p_1")];
+    RealKernel {
+        transmittance: transmittance_s + transmittance_p,
+        top_0: top_s * p_0 + top_p * s_0,
+        top_1: top_s * p_1 + top_p * s_1,
+        s_0,
+        s_1,
+        p_0,
+        p_1,
+    }
 }
 
 /// One polarisation of a film on a complex base, under the window: a node contributes
@@ -88,7 +114,7 @@ pub fn complex_kernel<R: Real>(
     waves: RelativeWaves<R>,
     /// What is left of a round trip: `g h`, (0, 1].
     damping: R,
-    /// The square h of the window, held at 0.1 or above.
+    /// The square h of the window, held at 0.15 or above.
     window_squared: R,
 ) -> ComplexKernel<R> {
     // Beyond these the kernel is sharper than its cosines are exact.
@@ -127,22 +153,6 @@ pub struct NodeTerms<R: Real> {
     pub odd: R,
 }
 
-/// Both polarisations on a real base under the window, at one optical path difference, over one denominator: a node
-/// contributes `(top_0 + top_1 x) / (bottom_0 + bottom_1 x + bottom_2 x^2)` with `x = sin^2(phase / 2)`.
-#[shade]
-pub struct NodeQuotient<R: Real> {
-    /// The numerator at phase 0.
-    pub top_0: R,
-    /// What it gains with x.
-    pub top_1: R,
-    /// The denominator at phase 0.
-    pub bottom_0: R,
-    /// What it gains with x.
-    pub bottom_1: R,
-    /// What it gains with x^2.
-    pub bottom_2: R,
-}
-
 /// Both polarisations under the window, at one optical path difference: `R_j = rest - sum_k 2 w_jk node_k`.
 #[shade]
 pub struct WindowedFilm<R: Real> {
@@ -151,7 +161,7 @@ pub struct WindowedFilm<R: Real> {
     /// What the nodes of a channel come to on average over the phase: `sum_pol kappa Q / 2`.
     pub mean: R,
     /// Both polarisations on a real base; 0 on a complex one.
-    pub both: NodeQuotient<R>,
+    pub both: RealKernel<R>,
     /// s polarisation on a complex base; 0 on a real one.
     pub s: NodeTerms<R>,
     /// p polarisation on a complex base; 0 on a real one.
@@ -167,7 +177,7 @@ impl<R: Real> WindowedFilm<R> {
         Self::under(closing(width_nm, path_nm), base, film)
     }
 
-    /// A film under a window that has closed to g; with it its square, held at 0.1 or above.
+    /// A film under a window that has closed to g; with it its square, held at 0.15 or above.
     pub(crate) fn under<S: Scalar>([g, g_squared]: [S; 2], base: BaseKind, film: RelativeFilm<R>) -> Self
     where
         R: Lanes<S> + Value<Leaf = S::Leaf>,
@@ -175,15 +185,13 @@ impl<R: Real> WindowedFilm<R> {
         let lanes = R::from_scalar;
         let damping = lanes((g * g_squared).named("damping"));
         let none = R::lit(0.0);
-        let no_terms = NodeTerms { offset: none, even: none, odd: none };
         if base.is_real() {
-            let s = real_kernel(film.s, damping, lanes(g_squared)).named("kernel_s");
-            let p = real_kernel(film.p, damping, lanes(g_squared)).named("kernel_p");
+            let both = real_kernel(film.s, film.p, damping, lanes(g_squared)).named("kernel");
             let rest = lanes((S::lit(2.0) - S::lit(2.0) * g_squared).named("closed"));
-            let transmittance = s.transmittance + p.transmittance;
-            let rest = (R::lit(1.0) + transmittance * rest).named("rest");
-            let mean = (R::lit(2.0) * transmittance).named("mean");
-            Self { rest, mean, both: NodeQuotient::new(s, p), s: no_terms, p: no_terms }
+            let rest = (R::lit(1.0) + both.transmittance * rest).named("rest");
+            let mean = (R::lit(2.0) * both.transmittance).named("mean");
+            let no_terms = NodeTerms { offset: none, even: none, odd: none };
+            Self { rest, mean, both, s: no_terms, p: no_terms }
         } else {
             let s = complex_kernel(film.s, damping, lanes(g_squared)).named("kernel_s");
             let p = complex_kernel(film.p, damping, lanes(g_squared)).named("kernel_p");
@@ -191,7 +199,9 @@ impl<R: Real> WindowedFilm<R> {
             let transmittance = s.transmittance + p.transmittance;
             let rest = R::lit(1.0) + transmittance * lanes(rest);
             let mean = (transmittance * lanes(S::lit(2.0) / g_squared)).named("mean");
-            let both = NodeQuotient { top_0: none, top_1: none, bottom_0: none, bottom_1: none, bottom_2: none };
+            let [top_0, top_1] = [none; 2];
+            let [s_0, s_1, p_0, p_1] = [none; 4];
+            let both = RealKernel { transmittance: none, top_0, top_1, s_0, s_1, p_0, p_1 };
             let terms =
                 |kernel: ComplexKernel<R>| NodeTerms { offset: kernel.offset, even: kernel.cosine, odd: kernel.sine };
             Self { rest, mean, both, s: terms(s), p: terms(p) }
@@ -213,27 +223,9 @@ impl<R: Real> WindowedFilm<R> {
     }
 }
 
-impl<R: Real> NodeQuotient<R> {
-    fn new(s: RealKernel<R>, p: RealKernel<R>) -> Self {
-        // Values at x = 0 and x = 1 are squares and products of these.
-        let differences = (s.difference * p.difference).named("differences");
-        let sums = (s.sum * p.sum).named("sums");
-        let mixed = [(s.sum * p.difference).named("mixed"), (p.sum * s.difference).named("mixed")];
-        let top_0 = (differences * (s.transmittance * mixed[0] + p.transmittance * mixed[1])).named("top_0");
-        let top_end = sums * (s.transmittance * mixed[1] + p.transmittance * mixed[0]);
-        let bottom_0 = (differences * differences).named("bottom_0");
-        let linear = (mixed[0] * mixed[0] + (mixed[1] * mixed[1] - bottom_0)).named("linear");
-        Self {
-            top_0,
-            top_1: (top_end - top_0).named("top_1"),
-            bottom_0,
-            bottom_1: (linear - bottom_0).named("bottom_1"),
-            bottom_2: (sums * sums - linear).named("bottom_2"),
-        }
-    }
-
+impl<R: Real> RealKernel<R> {
     fn at(&self, precision: Precision, x: R) -> R {
-        let bottom = self.bottom_0 + (self.bottom_1 + self.bottom_2 * x) * x;
+        let bottom = (self.s_0 + self.s_1 * x) * (self.p_0 + self.p_1 * x);
         precision.node((self.top_0 + self.top_1 * x) / bottom).named("node")
     }
 }
@@ -268,10 +260,10 @@ impl<R> Phase<R> {
     }
 }
 
-/// How far a window of a width, in nm, closes at the optical path of one pass: g, and its square, held at 0.1 or above.
+/// How far a window of a width, in nm, closes at the optical path of one pass: g, and its square, held at 0.15 or above.
 pub(crate) fn closing<S: Scalar>(width_nm: f64, path_nm: S) -> [S; 2] {
     let g = (S::lit(-4.0 / (width_nm * width_nm)) * (path_nm * path_nm)).exp().named("window");
-    [g, (g * g).max(S::lit(0.1)).named("window_squared")]
+    [g, (g * g).max(S::lit(0.15)).named("window_squared")]
 }
 
 /// The colour of a film by the nodes of a window: a rest, less what they contribute beyond a centre.
@@ -283,13 +275,13 @@ pub(crate) fn color_of_nodes<S: Scalar, R: Lanes<S> + Value<Leaf = S::Leaf>>(
 ) -> S::Vec3 {
     let nodes = nodes.into_iter().zip(weights);
     if let Some(centre) = centre {
-        return nodes.fold(rest, |color, (node, weight)| {
+        return nodes.fold(rest, |reflected, (node, weight)| {
             let contribution = precision.sum(R::lit(2.0) * node - centre).named("contribution");
-            precision.sum(color - precision.weighted::<S>(*weight, contribution.into_vec3())).named("color")
+            precision.sum(reflected - precision.weighted::<S>(*weight, contribution.into_vec3())).named("reflected")
         });
     }
     let weighted = nodes.map(|(node, weight)| S::Vec3::lit3(weight.map(|weight| 2.0 * weight)) * node.into_vec3());
-    weighted.fold(rest, |color, node| (color - node).named("color"))
+    weighted.fold(rest, |reflected, node| (reflected - node).named("reflected"))
 }
 
 /// Reflectance of the film by equally spaced wave numbers under a window, all orders, at the optical path of one pass.
@@ -322,18 +314,34 @@ fn denominators<S: Scalar, R: Lanes<S> + Value<Leaf = S::Leaf>>(
     path_nm: S,
     name: &str,
 ) -> Vec<R> {
-    let count = window.weights.len();
-    let first = Window { weights: window.weights[..count.min(2)].to_vec(), ..window.clone() };
-    let waves = waves(&first, path_nm).into_iter().map(|wave| wave.map(R::from_scalar));
-    let mut denominators: Vec<R> = waves.map(|wave| terms.denominator(wave).named(name)).collect();
     let doubled = doubled_cosine(window.step, path_nm);
     let [doubled, rest] = [doubled, (S::lit(2.0) - doubled).named("doubled_rest")].map(R::from_scalar);
     let rest = rest * terms.offset;
-    while denominators.len() < count {
-        let [before, last] = [denominators[denominators.len() - 2], denominators[denominators.len() - 1]];
-        denominators.push((doubled * last - before + rest).named(name));
+    from_the_middle(
+        window,
+        |angular_wave_number| terms.denominator(wave(angular_wave_number, path_nm).map(R::from_scalar)).named(name),
+        |last, before| (doubled * last - before + rest).named(name),
+    )
+}
+
+/// What equally spaced nodes have of their phases: two in the middle by their wave numbers, radians per nm, and from
+/// these outwards each by its two neighbours, the nearer one first. What f32 loses grows by the square of the steps that
+/// were taken: from the middle they are half as many as from an end.
+fn from_the_middle<T: Copy>(window: &Window, of: impl Fn(f64) -> T, next: impl Fn(T, T) -> T) -> Vec<T> {
+    let count = window.weights.len();
+    let middle = count.div_ceil(2).saturating_sub(1);
+    let known = (middle..count.min(middle + 2)).map(|node| of(window.first + node as f64 * window.step));
+    let mut upwards: Vec<T> = known.collect();
+    while middle + upwards.len() < count {
+        let [before, last] = [upwards[upwards.len() - 2], upwards[upwards.len() - 1]];
+        upwards.push(next(last, before));
     }
-    denominators
+    let mut downwards: Vec<T> = upwards[..upwards.len().min(2)].iter().rev().copied().collect();
+    while downwards.len() < middle + 2 && downwards.len() >= 2 {
+        let [before, last] = [downwards[downwards.len() - 2], downwards[downwards.len() - 1]];
+        downwards.push(next(last, before));
+    }
+    downwards.into_iter().skip(2).rev().chain(upwards).collect()
 }
 
 /// What each node needs of its phase, at the optical path of one pass.
@@ -347,32 +355,33 @@ pub(crate) fn phases<S: Scalar>(window: &Window, base: BaseKind, path_nm: S) -> 
 
 /// `sin^2` of half the phase at each node, by `s_(k+1) = 2 cos(step / 2) s_k - s_(k-1)` for the sine.
 fn half_sines<S: Scalar>(window: &Window, path_nm: S) -> Vec<S> {
-    let half_phase = |angular_wave_number: f64| (S::lit(angular_wave_number) * path_nm).named("half_phase");
-    let mut sines: Vec<S> = [window.first, window.first + window.step]
-        .map(|angular_wave_number| half_phase(angular_wave_number).sin().named("half_sine"))
-        .to_vec();
     let doubled = doubled_cosine(0.5 * window.step, path_nm);
-    while sines.len() < window.weights.len() {
-        sines.push((doubled * sines[sines.len() - 1] - sines[sines.len() - 2]).named("half_sine"));
-    }
-    sines.truncate(window.weights.len());
+    let half_phase = |angular_wave_number: f64| (S::lit(angular_wave_number) * path_nm).named("half_phase");
+    let sines = from_the_middle(
+        window,
+        |angular_wave_number| half_phase(angular_wave_number).sin().named("half_sine"),
+        |last, before| (doubled * last - before).named("half_sine"),
+    );
     sines.into_iter().map(|sine| (sine * sine).named("half_sine_squared")).collect()
 }
 
 /// Cosine and sine of the phase at each node, by the recurrence `c_(k+1) = 2 cos(step) c_k - c_(k-1)`.
 pub(crate) fn waves<S: Scalar>(window: &Window, path_nm: S) -> Vec<[S; 2]> {
-    let mut waves: Vec<[S; 2]> = [window.first, window.first + window.step]
-        .map(|angular_wave_number| (S::lit(2.0 * angular_wave_number) * path_nm).named("phase"))
-        .map(|phase| [phase.cos().named("cosine"), phase.sin().named("sine")])
-        .to_vec();
     let doubled = doubled_cosine(window.step, path_nm);
-    while waves.len() < window.weights.len() {
-        let [before, last] = [waves[waves.len() - 2], waves[waves.len() - 1]];
-        let next = |part: usize, name: &str| (doubled * last[part] - before[part]).named(name);
-        waves.push([next(0, "cosine"), next(1, "sine")]);
-    }
-    waves.truncate(window.weights.len());
-    waves
+    from_the_middle(
+        window,
+        |angular_wave_number| wave(angular_wave_number, path_nm),
+        |last, before| {
+            let next = |part: usize, name: &str| (doubled * last[part] - before[part]).named(name);
+            [next(0, "cosine"), next(1, "sine")]
+        },
+    )
+}
+
+/// Cosine and sine of the phase that a wave number has after a round trip.
+fn wave<S: Scalar>(angular_wave_number: f64, path_nm: S) -> [S; 2] {
+    let phase = (S::lit(2.0 * angular_wave_number) * path_nm).named("phase");
+    [phase.cos().named("cosine"), phase.sin().named("sine")]
 }
 
 /// Twice the cosine of the phase that a wave number has after a round trip.

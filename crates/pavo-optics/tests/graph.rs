@@ -21,13 +21,15 @@ const NAMES: [&str; 8] =
     ["thickness_nm", "ambient_ior", "film_ior", "base_ior", "base_kappa", "roughness", "metalness", "visibility_k"];
 
 /// The surface under directions and parameters of any number type.
+///
+/// The colour is that of the base in each workflow: its base colour, or its reflectance and its edge tint.
 fn radiance<S: Scalar>(surface: &Surface, vectors: [S::Vec3; 3], color: S::Vec3, numbers: [S; 8]) -> S::Vec3 {
     let [normal, light_direction, view_direction] = vectors;
     let [thickness_nm, ambient_ior, film_ior, base_ior, base_kappa, roughness, metalness, visibility_k] = numbers;
     shade_surface::<S>(
         surface,
         Directions { normal, light_direction, view_direction },
-        Layers { thickness_nm, ambient_ior, film_ior, base_ior, base_kappa },
+        Layers { thickness_nm, ambient_ior, film_ior, base_ior, base_kappa, f0: color, edge_tint: color },
         Finish { roughness, base_color: color, metalness, visibility_k },
         Light { light_color: S::Vec3::lit3([1.0, 0.9, 0.8]), light_intensity: S::lit(2.0) },
     )
@@ -113,6 +115,7 @@ fn surfaces() -> Vec<Surface> {
                 base_kappa: [3.6, 2.5, 1.9],
             });
             speculars.push(Specular::FilmOnMetalness(film(dielectric)));
+            speculars.extend([reflecting, BaseKind::Conductor].map(|base| Specular::FilmOnF0(film(base))));
         }
     }
     for total_reflection in [false, true] {
@@ -124,6 +127,7 @@ fn surfaces() -> Vec<Surface> {
     }
     speculars.extend([dielectric, BaseKind::Conductor].map(Specular::Bare));
     speculars.extend([Specular::BareSpectral(nodes(dispersive)), Specular::BareMetalness { exact: false }]);
+    speculars.extend([dielectric, BaseKind::Conductor].map(|base| Specular::BareF0 { base, exact: true }));
     let coefficients = vec![[0.4, 0.3, 0.5], [-0.2, 0.1, 0.0], [0.1, 0.1, -0.2]];
     for denominator in [vec![], vec![[0.3, -0.2, 0.1], [0.1, 0.4, -0.3]]] {
         speculars.push(Specular::Baked(BakedFilm { coefficients: coefficients.clone(), denominator }));
@@ -171,7 +175,7 @@ fn surfaces_of_which_the_film_varies_agree() {
 fn reflects_totally(surface: &Surface) -> bool {
     match &surface.specular {
         Specular::Film(film) => film.total_reflection && film.base != BaseKind::Dielectric { total_reflection: false },
-        Specular::FilmOnChannels { film, .. } => film.total_reflection,
+        Specular::FilmOnChannels { film, .. } | Specular::FilmOnF0(film) => film.total_reflection,
         _ => false,
     }
 }
@@ -179,7 +183,7 @@ fn reflects_totally(surface: &Surface) -> bool {
 #[test]
 fn surfaces_under_total_reflection_agree() {
     let surfaces: Vec<Surface> = surfaces().into_iter().filter(reflects_totally).collect();
-    assert_eq!(surfaces.len(), 27);
+    assert_eq!(surfaces.len(), 43);
     for (index, surface) in surfaces.iter().enumerate() {
         for varying in [[true; 8], [false; 8]] {
             check(surface, &Parameters { numbers: UNDER_GLASS, varying }, 300 + index as u64);
@@ -203,8 +207,9 @@ fn a_surface_takes_no_input_that_it_does_not_use() {
     let with = |specular| Surface { specular, diffuse: true, visibility_k: VisibilityK::Punctual };
     let dielectric = BaseKind::Dielectric { total_reflection: false };
     let on = |base| Specular::Film(film(base, false, Method::Series { order: 3, fit: wide_fit() }));
-    let cases: [(Specular, &[&str]); 5] = [
+    let cases: [(Specular, &[&str]); 6] = [
         (Specular::BareMetalness { exact: false }, &["roughness", "metalness"]),
+        (Specular::BareF0 { base: BaseKind::Conductor, exact: true }, &["ambient_ior", "roughness"]),
         (Specular::Bare(dielectric), &["ambient_ior", "base_ior", "roughness"]),
         (Specular::Bare(BaseKind::Conductor), &["ambient_ior", "base_ior", "base_kappa", "roughness"]),
         (on(dielectric), &["thickness_nm", "ambient_ior", "film_ior", "base_ior", "roughness"]),

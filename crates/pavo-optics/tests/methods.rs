@@ -70,10 +70,10 @@ fn kernels_sum_all_orders_and_damp_the_first_two_by_the_window() {
         check(&Method::Windowed { window: window.clone() }, ALL_ORDERS, |m, opd_nm, channel| {
             let g = (-(opd_nm / width_nm).powi(2)).exp();
             let path = f64::from(m) * opd_nm;
-            // Held at 0.1, from where on little of any order is left.
-            let h = (g * g).max(0.1);
+            // Held at 0.15, from where on little of any order is left.
+            let h = (g * g).max(0.15);
             let damping = (g * h).powi(m as i32) / h;
-            if g * g > 0.1 && m <= 2 {
+            if g * g > 0.15 && m <= 2 {
                 let exact = (-(path / width_nm).powi(2)).exp();
                 assert!((damping - exact).abs() <= 1e-14, "order {m}: {damping} for {exact}");
             }

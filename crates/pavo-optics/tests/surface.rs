@@ -4,6 +4,7 @@ mod common;
 
 use common::{Random, at_wavelength, film};
 use glam::DVec3;
+use pavo_optics::f0::index_from_f0;
 use pavo_optics::film::film_reflectance;
 use pavo_optics::fitted::fitted_reflectance;
 use pavo_optics::fresnel::{fresnel_conductor, fresnel_dielectric, fresnel_schlick, ior_from_reflectance};
@@ -40,7 +41,7 @@ struct Point {
 
 fn draw(random: &mut Random) -> Point {
     let mut colour = || DVec3::new(random.unit(), random.unit(), random.unit());
-    let (base_color, light_color) = (colour(), colour());
+    let (base_color, light_color, f0, edge_tint) = (colour(), colour(), colour(), colour());
     Point {
         geometry: Geometry {
             n_dot_l: random.unit(),
@@ -54,6 +55,8 @@ fn draw(random: &mut Random) -> Point {
             film_ior: random.within(1.0, 2.5),
             base_ior: random.within(1.0, 3.0),
             base_kappa: random.within(0.0, 5.0),
+            f0,
+            edge_tint,
         },
         finish: Finish {
             roughness: random.within(0.05, 1.0),
@@ -78,6 +81,8 @@ fn speculars() -> Vec<Specular> {
             base_kappa: [3.6, 2.5, 1.9],
         },
         Specular::FilmOnMetalness(film(DIELECTRIC)),
+        Specular::FilmOnF0(film(DIELECTRIC)),
+        Specular::FilmOnF0(film(BaseKind::Conductor)),
         Specular::Bare(DIELECTRIC),
         Specular::Bare(BaseKind::Conductor),
         Specular::BareSpectral(vec![
@@ -86,6 +91,9 @@ fn speculars() -> Vec<Specular> {
         ]),
         Specular::BareMetalness { exact: false },
         Specular::BareMetalness { exact: true },
+        Specular::BareF0 { base: DIELECTRIC, exact: false },
+        Specular::BareF0 { base: DIELECTRIC, exact: true },
+        Specular::BareF0 { base: BaseKind::Conductor, exact: true },
         Specular::Baked(BakedFilm {
             coefficients: vec![[0.4, 0.3, 0.5], [-0.2, 0.1, 0.0], [0.1, 0.1, -0.2]],
             denominator: vec![],
@@ -99,7 +107,7 @@ fn speculars() -> Vec<Specular> {
 
 /// The reflectance that a surface of this kind has, from the functions for its parts.
 fn expected_reflectance(specular: &Specular, point: &Point) -> DVec3 {
-    let Layers { thickness_nm, ambient_ior, film_ior, base_ior, base_kappa } = point.layers;
+    let Layers { thickness_nm, ambient_ior, film_ior, base_ior, base_kappa, f0, edge_tint } = point.layers;
     let cos_theta1 = point.geometry.cos_theta1;
     let Finish { base_color, metalness, .. } = point.finish;
     let colour = 0.04 + (base_color - 0.04) * metalness;
@@ -117,6 +125,15 @@ fn expected_reflectance(specular: &Specular, point: &Point) -> DVec3 {
         Specular::FilmOnMetalness(film) => {
             by_channel(colour.to_array().map(|channel| ior_from_reflectance(channel, ambient_ior)), [0.0; 3], film)
         }
+        Specular::FilmOnF0(film) => {
+            let index: [_; 3] = core::array::from_fn(|channel| index_of(film.base, f0[channel], edge_tint[channel]));
+            by_channel(index.map(|[ior, _]| ior), index.map(|[_, kappa]| kappa), film)
+        }
+        Specular::BareF0 { exact: false, .. } => fresnel_schlick::<f64>(cos_theta1, f0),
+        Specular::BareF0 { base, exact: true } => DVec3::from_array(core::array::from_fn(|channel| {
+            let [ior, kappa] = index_of(*base, f0[channel], edge_tint[channel]);
+            fresnel_conductor(cos_theta1, ambient_ior, ior, kappa)
+        })),
         Specular::Bare(BaseKind::Conductor) => {
             DVec3::splat(fresnel_conductor(cos_theta1, ambient_ior, base_ior, base_kappa))
         }
@@ -145,6 +162,17 @@ fn expected_reflectance(specular: &Specular, point: &Point) -> DVec3 {
             };
             sum(&baked.coefficients, 0) / (1.0 + sum(&baked.denominator, 1))
         }
+    }
+}
+
+/// The index of a base of this kind by its reflectance under air, and by its edge tint where it is a conductor.
+fn index_of(base: BaseKind, f0: f64, edge_tint: f64) -> [f64; 2] {
+    match base {
+        BaseKind::Conductor => {
+            let index = index_from_f0(f0, edge_tint);
+            [index.ior, index.kappa]
+        }
+        BaseKind::Dielectric { .. } => [ior_from_reflectance(f0, 1.0), 0.0],
     }
 }
 
@@ -276,8 +304,8 @@ fn metalness_moves_the_base_colour_from_diffuse_to_specular() {
         (0.25, colour * 0.75, DVec3::splat(0.03) + colour * 0.25),
     ] {
         let found = metalness_colors::<f64>(colour, metalness);
-        check(found.diffuse, diffuse, metalness);
-        check(found.specular, specular, metalness);
+        check(found.diffuse_color, diffuse, metalness);
+        check(found.specular_color, specular, metalness);
     }
 }
 

@@ -52,7 +52,7 @@ pub enum Failure {
 impl Failure {
     /// A file that cannot be read or written.
     pub fn file(path: &Path, cause: std::io::Error) -> Failure {
-        Failure::File { path: path.display().to_string(), cause }
+        Failure::File { path: pavo_files::shown(path), cause }
     }
 
     /// The code to end the process with.

@@ -83,5 +83,5 @@ fn run(arguments: &Arguments) -> Result<Report, Failure> {
 }
 
 fn write(path: &Path, bytes: &[u8]) -> Result<(), Failure> {
-    std::fs::write(path, bytes).map_err(|cause| Failure::file(path, cause))
+    pavo_files::write(path, bytes).map_err(|cause| Failure::file(path, cause))
 }

@@ -7,6 +7,7 @@
 //! - [`sensitivity`]: the three joined to one spectral sensitivity per output channel, white being (1, 1, 1).
 //! - [`fits`]: short sums in place of the sensitivities' Fourier transforms, built in.
 //! - [`optical_constants`]: refractive indices over the wavelength.
+//! - [`edge_tint`]: indices from a reflectance at normal incidence and an edge tint, and back.
 //! - [`mod@reference`]: a film's exact reflectance, by the complex Airy formula over the fine wavelength grid.
 //!
 //! Wavelengths and thicknesses are in nanometres unless a name says otherwise; angles appear only as cosines; a
@@ -16,6 +17,7 @@
 
 pub mod colour_space;
 pub mod delta_e;
+pub mod edge_tint;
 pub mod fits;
 pub mod gaussian;
 pub mod illuminant;

@@ -93,6 +93,9 @@ pub(crate) fn over_sphere(inputs: &[Input]) -> Sphere {
             "light_color" => (vec![1.0; 3], vec![1.0; 3]),
             "light_intensity" => (vec![1.5], vec![1.5]),
             "base_color" => (vec![0.10, 0.35, 0.15], vec![0.10, 0.35, 0.15]),
+            // Gold, about.
+            "f0" => (vec![1.0, 0.71, 0.29], vec![1.0, 0.71, 0.29]),
+            "edge_tint" => (vec![0.9, 0.6, 0.5], vec![0.9, 0.6, 0.5]),
             "roughness" => {
                 let value = 0.3_f64.clamp(input.low, input.high);
                 (vec![value], vec![value])

@@ -41,7 +41,6 @@ mod methods;
 pub mod points;
 #[cfg(feature = "points")]
 pub mod points_table;
-mod reading;
 pub mod scene;
 mod shading;
 pub mod statistics;

@@ -1,12 +1,15 @@
 //! From what a scene says of its materials and colours to the data behind the names.
 
-use crate::reading::{MAXIMUM_TABLE_BYTES, read_text_up_to};
 use crate::scene::{Base, Colour, FilmMedium, IlluminantSource, Scene};
+use pavo_files::{read_text_up_to, shown};
 use pavo_spectra::illuminant::Illuminant;
 use pavo_spectra::wavelength::fine_grid;
 use pavo_spectra::{ColourSpace, Observer, OpticalConstants, Sensitivities};
 use std::path::Path;
 use thiserror::Error;
+
+/// The largest table of optical constants or of an illuminant that is read, in bytes: 16 MiB, a thousand times the usual.
+const MAXIMUM_TABLE_BYTES: usize = 16 << 20;
 
 /// What would be right where a file cannot be read.
 const FILE_HELP: &str = "csv names a file beside the scene, with the columns wavelength_nm (or wavelength_um), n and k; \
@@ -14,11 +17,11 @@ const FILE_HELP: &str = "csv names a file beside the scene, with the columns wav
 
 /// Why the data of a scene cannot be had.
 #[derive(Debug, Error)]
-#[cfg_attr(feature = "cli", derive(miette::Diagnostic))]
+#[cfg_attr(feature = "points", derive(miette::Diagnostic))]
 pub enum MediaError {
     /// A file that cannot be read.
     #[error("{path}: {cause}")]
-    #[cfg_attr(feature = "cli", diagnostic(code(pavo::media), help("{}", FILE_HELP)))]
+    #[cfg_attr(feature = "points", diagnostic(code(pavo::media), help("{}", FILE_HELP)))]
     File {
         /// The file.
         path: String,
@@ -27,7 +30,7 @@ pub enum MediaError {
     },
     /// What the data themselves refuse.
     #[error("{message}")]
-    #[cfg_attr(feature = "cli", diagnostic(code(pavo::media)))]
+    #[cfg_attr(feature = "points", diagnostic(code(pavo::media)))]
     Data {
         /// What is wrong, and what would be right.
         message: String,
@@ -64,7 +67,7 @@ pub(crate) fn dispersive_base(scene: &Scene) -> Result<Option<OpticalConstants>,
     match &scene.base {
         Base::Metal { name } => OpticalConstants::built_in(name).map(Some).map_err(data),
         Base::Table { path } => from_file(path).map(Some),
-        Base::Dielectric { .. } | Base::Conductor { .. } | Base::Metalness => Ok(None),
+        Base::Dielectric { .. } | Base::Conductor { .. } | Base::Metalness | Base::F0 { .. } => Ok(None),
     }
 }
 
@@ -101,7 +104,7 @@ pub(crate) fn illuminant_from_file(path: &Path) -> Result<Illuminant, MediaError
 
 /// The name of a file for messages, and its text.
 fn read(path: &Path) -> Result<(String, String), MediaError> {
-    let name = path.display().to_string();
+    let name = shown(path);
     match read_text_up_to(path, MAXIMUM_TABLE_BYTES) {
         Ok(text) => Ok((name, text)),
         Err(cause) => Err(MediaError::File { path: name, cause }),

@@ -1,6 +1,8 @@
 //! Tables of points: CSV whose header names run-time inputs.
 
-use crate::scene::{FilmMedium, Quantity, Scene};
+use crate::media::MediaError;
+use crate::scene::{FilmMedium, Quantity, Scene, SceneError};
+use crate::shading::ShadingError;
 use miette::Diagnostic;
 use pavo_shade::{Input, Type};
 use thiserror::Error;
@@ -25,9 +27,17 @@ impl PointsError {
     }
 }
 
+// Wherever tables are read, the errors of a scene can be drawn: the fuzzer draws them, without the command.
+const _: [fn(); 3] = [can_be_drawn::<SceneError>, can_be_drawn::<MediaError>, can_be_drawn::<ShadingError>];
+
+fn can_be_drawn<T: Diagnostic>() {}
+
 /// The most points that a table may have: with what was written they take some 300 bytes each, and at each, the longest
 /// variant takes some 20 thousand operations.
 pub const MAXIMUM_POINTS: usize = 1_000_000;
+
+/// What a point takes in memory, with what was written and its colour.
+const BYTES_PER_POINT: f64 = 300.0;
 
 /// The points of a table.
 #[derive(Debug)]
@@ -105,7 +115,9 @@ impl PointsTable {
                 let estimate = text.len() as f64 / read as f64 * MAXIMUM_POINTS as f64;
                 return Err(PointsError::new(
                     format!(
-                        "{name}: there are about {estimate:.2e} points; the most that are read are {MAXIMUM_POINTS}"
+                        "{name}: there are about {estimate:.2e} points, which would take about {:.1e} bytes of memory; the \
+                         most that are read are {MAXIMUM_POINTS}",
+                        estimate * BYTES_PER_POINT
                     ),
                     "divide the table, with the header at the top of each part",
                 ));
@@ -169,7 +181,7 @@ pub fn digits(value: f64) -> String {
 }
 
 fn ignored(header: &[String], columns: &[String]) -> Vec<String> {
-    let known = |name: &String| columns.contains(name) || ["r", "g", "b"].contains(&name.as_str());
+    let known = |name: &String| columns.contains(name) || ["r", "g", "b", "tolerance"].contains(&name.as_str());
     header.iter().filter(|name| !known(name)).cloned().collect()
 }
 

@@ -36,16 +36,21 @@ impl Road {
         }
     }
 
+    /// The language that is emitted.
+    pub fn language(self) -> Language {
+        match self {
+            Road::Wgsl | Road::Spirv => Language::Wgsl,
+            Road::Glsl => Language::Glsl450,
+            Road::Hlsl => Language::Hlsl,
+        }
+    }
+
     /// The SPIR-V that this road brings to the device.
     ///
     /// # Errors
     /// If the text cannot be emitted, or a judge refuses it.
     pub fn spirv(self, shading: &Shading, quantity: ShadingQuantity) -> Result<Vec<u32>, RoadError> {
-        let language = match self {
-            Road::Wgsl | Road::Spirv => Language::Wgsl,
-            Road::Glsl => Language::Glsl450,
-            Road::Hlsl => Language::Hlsl,
-        };
+        let language = self.language();
         let name = format!("{}.{}", shading.scene().name, Dialect::of(language).extension);
         let text = compute(shading, quantity, language)?;
         judge_text(language, Form::Compute, &name, &text)?;

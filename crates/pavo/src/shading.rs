@@ -9,27 +9,28 @@ use crate::scene::{self, Base, ColourQuantity, FilmMedium, Quantity, Scene, Visi
 use crate::variant::{FresnelForm, Variant};
 use pavo_optics::surface::{brdf_of_reflectance, shade_surface, surface_brdf, surface_radiance, surface_reflectance};
 use pavo_optics::{
-    BaseKind, Directions, Film, Finish, Geometry, Layers, Light, Method, Precision, Specular, Surface,
+    BaseKind, Directions, Film, Finish, Geometry, Layers, Light, Method, Precision, SpectralNode, Specular, Surface,
     light::punctual_light,
 };
 use pavo_shade::{
     Dual, Graph, Input, LeftOut, Program, Rate, Scalar, Split, Stages, Vector, specialise, split, stages,
 };
+use pavo_spectra::edge_tint::index_of_f0;
 use pavo_spectra::parallel::map_each;
 use pavo_spectra::{OpticalConstants, Point, Reference, Sensitivities, Stack};
 use thiserror::Error;
 
 /// Why a scene and a variant do not go together.
 #[derive(Debug, Error)]
-#[cfg_attr(feature = "cli", derive(miette::Diagnostic))]
+#[cfg_attr(feature = "points", derive(miette::Diagnostic))]
 pub enum ShadingError {
     /// The data behind the scene's names cannot be had.
     #[error(transparent)]
-    #[cfg_attr(feature = "cli", diagnostic(transparent))]
+    #[cfg_attr(feature = "points", diagnostic(transparent))]
     Media(#[from] MediaError),
     /// The variant cannot be made for this scene.
     #[error("the variant {variant} cannot be made for the scene {scene}: {cause}")]
-    #[cfg_attr(feature = "cli", diagnostic(code(pavo::variant), help("{help}")))]
+    #[cfg_attr(feature = "points", diagnostic(code(pavo::variant), help("{help}")))]
     Variant {
         /// The variant.
         variant: String,
@@ -90,7 +91,7 @@ impl Shading {
             sensitivities: &sensitivities,
             base: dispersive_base.as_ref(),
             // Over a base that is known by its colour alone, the film's index in green light stands for it.
-            film: dispersive_film.as_ref().filter(|_| scene.base != Base::Metalness),
+            film: dispersive_film.as_ref().filter(|_| !matches!(scene.base, Base::Metalness | Base::F0 { .. })),
             max_opd_nm: scene
                 .film
                 .as_ref()
@@ -141,10 +142,14 @@ impl Shading {
     #[cfg(feature = "cli")]
     pub(crate) fn with_all_inputs(&self) -> Self {
         let is_general = match &self.surface.specular {
-            Specular::Film(film) | Specular::FilmOnMetalness(film) | Specular::FilmOnChannels { film, .. } => {
-                !matches!(film.method, Method::WindowedGroups { .. })
-            }
-            Specular::Bare(_) | Specular::BareMetalness { .. } | Specular::BareSpectral(_) => true,
+            Specular::Film(film)
+            | Specular::FilmOnMetalness(film)
+            | Specular::FilmOnF0(film)
+            | Specular::FilmOnChannels { film, .. } => !matches!(film.method, Method::WindowedGroups { .. }),
+            Specular::Bare(_)
+            | Specular::BareMetalness { .. }
+            | Specular::BareF0 { .. }
+            | Specular::BareSpectral(_) => true,
             Specular::Baked(_) | Specular::Table(_) | Specular::Fitted(_) => false,
         };
         let mut opened = self.clone();
@@ -152,6 +157,27 @@ impl Shading {
             opened.scene.open_layers();
         }
         opened
+    }
+
+    /// The same surface at three of its wavelengths, one for each channel, where its method evaluates single ones.
+    #[cfg(feature = "cli")]
+    pub(crate) fn at_single_wavelengths(&self) -> Option<Self> {
+        let mut shading = self.clone();
+        let nodes = match &mut shading.surface.specular {
+            Specular::BareSpectral(nodes) => nodes,
+            specular => match &mut film_of(specular)?.method {
+                Method::Spectral { nodes } => nodes,
+                _ => return None,
+            },
+        };
+        let last = nodes.len().checked_sub(1)?;
+        let of_channel = |channel: usize| {
+            let mut weight = [0.0; 3];
+            weight[channel] = 1.0;
+            SpectralNode { weight, ..nodes[[0, last / 2, last][channel]] }
+        };
+        *nodes = (0..3).map(of_channel).collect();
+        Some(shading)
     }
 
     /// The sensitivities of the output channels.
@@ -225,7 +251,7 @@ impl Shading {
         let (base_ior, base_kappa) = match scene.base {
             Base::Dielectric { ior } => (Some(ior), None),
             Base::Conductor { ior, kappa } => (Some(ior), Some(kappa)),
-            Base::Metal { .. } | Base::Table { .. } | Base::Metalness => (None, None),
+            Base::Metal { .. } | Base::Table { .. } | Base::Metalness | Base::F0 { .. } => (None, None),
         };
         let media = [
             ("ambient_ior", Some(scene.ambient.ior)),
@@ -320,8 +346,13 @@ impl Shading {
                 (None, Base::Metalness) => {
                     let base = finish.base_color.to_array().map(|color| {
                         let specular = 0.04 + (color - 0.04) * finish.metalness;
-                        index_of_normal_reflectance(specular) * layers.ambient_ior
+                        (index_of_f0(specular, None).0 * layers.ambient_ior, 0.0)
                     });
+                    reference.reflectance_per_channel(layers.ambient_ior, layers.film_ior, base, at)
+                }
+                (None, Base::F0 { edge_tint, .. }) => {
+                    let tint = |channel: usize| edge_tint.is_some().then(|| layers.edge_tint[channel]);
+                    let base = std::array::from_fn(|channel| index_of_f0(layers.f0[channel], tint(channel)));
                     reference.reflectance_per_channel(layers.ambient_ior, layers.film_ior, base, at)
                 }
                 (None, _) => reference.reflectance(&self.stack(layers)?, at),
@@ -367,7 +398,8 @@ impl Shading {
         let mut list = InputList::default();
         let layers = self.layers::<f64>(&mut list);
         let varies = list.inputs.iter().any(|input| input.name != "thickness_nm");
-        if varies || self.scene.base == Base::Metalness { Ok(None) } else { self.stack(layers).map(Some) }
+        let has_channels = matches!(self.scene.base, Base::Metalness | Base::F0 { .. });
+        if varies || has_channels { Ok(None) } else { self.stack(layers).map(Some) }
     }
 
     /// Evaluates a quantity on any number type.
@@ -420,7 +452,13 @@ impl Shading {
         let (base_ior, base_kappa) = match scene.base {
             Base::Dielectric { ior } => (ior, Quantity::Fixed(0.0)),
             Base::Conductor { ior, kappa } => (ior, kappa),
-            Base::Metal { .. } | Base::Table { .. } | Base::Metalness => (Quantity::Fixed(1.0), Quantity::Fixed(0.0)),
+            Base::Metal { .. } | Base::Table { .. } | Base::Metalness | Base::F0 { .. } => {
+                (Quantity::Fixed(1.0), Quantity::Fixed(0.0))
+            }
+        };
+        let (f0, edge_tint) = match scene.base {
+            Base::F0 { f0, edge_tint } => (Some(f0), edge_tint),
+            _ => (None, None),
         };
         Layers {
             thickness_nm: number(reader, thickness, "thickness_nm", "nm", Rate::Pixel),
@@ -428,6 +466,8 @@ impl Shading {
             film_ior: number(reader, film_ior, "film_ior", "", Rate::Material),
             base_ior: number(reader, base_ior, "base_ior", "", Rate::Material),
             base_kappa: number(reader, base_kappa, "base_kappa", "", Rate::Material),
+            f0: color(reader, f0, "f0"),
+            edge_tint: color(reader, edge_tint, "edge_tint"),
         }
     }
 
@@ -439,7 +479,7 @@ impl Shading {
         };
         Finish {
             roughness: number(reader, surface.roughness, "roughness", "", Rate::Material),
-            base_color: self.base_color(reader),
+            base_color: color(reader, surface.base_color, "base_color"),
             metalness: number(reader, self.metalness(), "metalness", "", Rate::Material),
             visibility_k: number(reader, visibility_k, "visibility_k", "", Rate::Material),
         }
@@ -453,19 +493,12 @@ impl Shading {
         let zero = S::lit(0.0);
         let (base_color, metalness) = match self.scene.base {
             Base::Metalness => {
-                (self.base_color(reader), number(reader, self.metalness(), "metalness", "", Rate::Material))
+                let base_color = color(reader, self.scene.surface.base_color, "base_color");
+                (base_color, number(reader, self.metalness(), "metalness", "", Rate::Material))
             }
             _ => (S::Vec3::splat(zero), zero),
         };
         Finish { roughness: zero, base_color, metalness, visibility_k: zero }
-    }
-
-    fn base_color<S: Scalar>(&self, reader: &mut impl InputReader<S>) -> S::Vec3 {
-        match self.scene.surface.base_color {
-            Some(ColourQuantity::Input) => reader.vector("base_color", [0.0, 1.0], Rate::Material),
-            Some(ColourQuantity::Fixed(color)) => S::Vec3::lit3(color),
-            None => S::Vec3::splat(S::lit(0.0)),
-        }
     }
 
     fn metalness(&self) -> Quantity {
@@ -478,6 +511,15 @@ fn number<S: Scalar>(reader: &mut impl InputReader<S>, quantity: Quantity, name:
     match quantity {
         Quantity::Fixed(value) => S::lit(value),
         Quantity::Range { low, high } => reader.number(name, unit, [low, high], rate),
+    }
+}
+
+/// A fixed colour, or an input; black where there is none.
+fn color<S: Scalar>(reader: &mut impl InputReader<S>, color: Option<ColourQuantity>, name: &str) -> S::Vec3 {
+    match color {
+        Some(ColourQuantity::Input) => reader.vector(name, [0.0, 1.0], Rate::Material),
+        Some(ColourQuantity::Fixed(color)) => S::Vec3::lit3(color),
+        None => S::Vec3::splat(S::lit(0.0)),
     }
 }
 
@@ -517,17 +559,26 @@ fn specular(scene: &Scene, request: &MethodRequest<'_>) -> Result<Specular, Meth
         Base::Dielectric { ior } => BaseKind::Dielectric { total_reflection: ior.low() < scene.ambient.ior.high() },
         // The base's index comes from its reflectance in the ambient medium, so it is never the smaller one.
         Base::Metalness => BaseKind::Dielectric { total_reflection: false },
+        Base::F0 { edge_tint: Some(_), .. } => BaseKind::Conductor,
+        Base::F0 { f0, edge_tint: None } => {
+            let least = f0.fixed().map_or(0.0, |f0| f0.into_iter().fold(1.0, f64::min));
+            BaseKind::Dielectric { total_reflection: index_of_f0(least, None).0 < scene.ambient.ior.high() }
+        }
     };
     let Some(film) = &scene.film else {
         let approximates = *request.variant == Variant::Fresnel { form: FresnelForm::Schlick };
-        if approximates && scene.base != Base::Metalness {
-            let cause = "Schlick's approximation is for a base of the metalness workflow".to_owned();
+        if approximates && !scene.has_schlick_base() {
+            let cause =
+                "Schlick's approximation is for a base of the metalness workflow, or of the workflow f0 in air \
+                         without an edge tint"
+                    .to_owned();
             return Err((cause, "take fresnel:form=exact".to_owned()));
         }
         return Ok(match (&scene.base, request.base) {
             (Base::Metalness, _) => {
                 Specular::BareMetalness { exact: *request.variant == Variant::Fresnel { form: FresnelForm::Exact } }
             }
+            (Base::F0 { .. }, _) => Specular::BareF0 { base: kind, exact: !approximates },
             (_, None) => Specular::Bare(kind),
             (_, Some(_)) if matches!(request.variant, Variant::Fresnel { .. }) => {
                 Specular::BareSpectral(request.spectral_nodes(81)?)
@@ -549,6 +600,7 @@ fn specular(scene: &Scene, request: &MethodRequest<'_>) -> Result<Specular, Meth
     };
     Ok(match (&scene.base, request.base) {
         (Base::Metalness, _) => Specular::FilmOnMetalness(film),
+        (Base::F0 { .. }, _) => Specular::FilmOnF0(film),
         (_, Some(base)) if !is_at_wavelengths => {
             let [base_ior, base_kappa] = channel_index(request.sensitivities, base);
             Specular::FilmOnChannels { film, base_ior, base_kappa }
@@ -560,7 +612,10 @@ fn specular(scene: &Scene, request: &MethodRequest<'_>) -> Result<Specular, Meth
 /// The film that is computed by a method.
 fn film_of(specular: &mut Specular) -> Option<&mut Film> {
     match specular {
-        Specular::Film(film) | Specular::FilmOnMetalness(film) | Specular::FilmOnChannels { film, .. } => Some(film),
+        Specular::Film(film)
+        | Specular::FilmOnMetalness(film)
+        | Specular::FilmOnF0(film)
+        | Specular::FilmOnChannels { film, .. } => Some(film),
         _ => None,
     }
 }
@@ -588,7 +643,7 @@ fn channel_wavelengths(sensitivities: &Sensitivities) -> [f64; 3] {
 }
 
 /// The index of a material as each channel sees it: its mean over the channel's sensitivity.
-fn channel_index(sensitivities: &Sensitivities, base: &OpticalConstants) -> [[f64; 3]; 2] {
+pub(crate) fn channel_index(sensitivities: &Sensitivities, base: &OpticalConstants) -> [[f64; 3]; 2] {
     let mut means = [[0.0; 3]; 2];
     for (wavelength, weight) in pavo_spectra::wavelength::fine_grid().iter().zip(sensitivities.fine_weights()) {
         let (n, k) = base.extended_at(*wavelength);
@@ -598,11 +653,4 @@ fn channel_index(sensitivities: &Sensitivities, base: &OpticalConstants) -> [[f6
         }
     }
     means
-}
-
-/// The index relative to the ambient medium that reflects this much at normal incidence, held where the fast methods
-/// hold it.
-fn index_of_normal_reflectance(reflectance: f64) -> f64 {
-    let amplitude = reflectance.max(0.0).sqrt().min(0.9999);
-    (1.0 + amplitude) / (1.0 - amplitude)
 }

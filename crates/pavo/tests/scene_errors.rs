@@ -306,7 +306,7 @@ fn a_name_that_is_not_known_is_refused_with_the_nearest() {
             "workflow",
             "workflow = 'specular'",
             "unknown workflow `specular`",
-            "the only workflow is: metalness",
+            "the workflows are: metalness, f0",
             "'specular'",
         ),
         ("workflow", "metal = 'gold'", "unknown metal `gold`", "did you mean `Au`?", "'gold'"),
@@ -340,6 +340,39 @@ fn a_base_that_is_no_one_material_is_refused() {
             "workflow",
             "csv = 'x.csv'\nworkflow = 'metalness'",
             "by `csv`, by `workflow`",
+            "keep one of these",
+            "workflow",
+        ),
+        ("workflow", "workflow = 'f0'", "the workflow `f0` needs `base.f0`", "`f0 = \"input\"`", "'f0'"),
+        (
+            "workflow",
+            "workflow = 'metalness'\nf0 = 'input'",
+            "`base.f0` is given, but the base is not of the workflow `f0`",
+            "remove `f0`",
+            "f0",
+        ),
+        ("workflow", "f0 = [1, 1, 1]", "`base.f0` is given, but", "write `workflow = \"f0\"`", "f0"),
+        (
+            "workflow",
+            "ior = 2\nedge_tint = 'input'",
+            "`base.edge_tint` is given, but",
+            "remove `edge_tint`",
+            "edge_tint",
+        ),
+        ("workflow", "workflow = 'f0'\nf0 = 0.5", "`base.f0` is", "`f0 = [0.1, 0.5, 0.2]`", "0.5"),
+        ("workflow", "workflow = 'f0'\nf0 = [0.5, 0.5]", "`base.f0` has", "`f0 = \"input\"`", "[0.5, 0.5]"),
+        ("workflow", "workflow = 'f0'\nf0 = [0, 2, 0]", "`base.f0[1]` is 2, but", "divide 8-bit values", "2"),
+        (
+            "workflow",
+            "workflow = 'f0'\nf0 = 'input'\nedge_tint = [0, 0, nan]",
+            "`base.edge_tint[2]` is not a finite number",
+            "colours are linear",
+            "nan",
+        ),
+        (
+            "workflow",
+            "ior = 2\nworkflow = 'f0'\nf0 = 'input'",
+            "by `ior`, by `workflow`",
             "keep one of these",
             "workflow",
         ),
@@ -452,12 +485,12 @@ fn an_error_names_the_line_and_the_column() {
 #[test]
 fn an_error_in_a_line_too_long_to_be_drawn_names_its_place() {
     let error = refusal(&edited("name", &format!("name = '{}!'", "x".repeat(70_000))));
-    assert_eq!(error.to_string(), "the name of the scene contains '!' (line 1, column 8)");
+    assert_eq!(error.to_string(), "the name of the scene contains '!' (test.toml, line 1, column 8)");
     assert_eq!(error.location(), Some(("test.toml", 1, 8)));
     let mut drawn = String::new();
     let handler = GraphicalReportHandler::new_themed(GraphicalTheme::unicode_nocolor());
     handler.render_report(&mut drawn, &error).expect("an error can be drawn");
-    assert!(drawn.contains("(line 1, column 8)") && drawn.len() < 1000, "{drawn}");
+    assert!(drawn.contains("(test.toml, line 1, column 8)") && drawn.len() < 1000, "{drawn}");
 }
 
 #[test]
@@ -490,7 +523,8 @@ fn an_error_is_drawn_with_its_line_its_labels_and_its_help() {
         " 12 │ [surface]",
         "    ╰────",
         "  help: keep one of these: `ior` (a dielectric), `ior` and `kappa` (a conductor), `metal` (such as Au, Al, Ti, Si), \
-         `csv` (a file of wavelength, n, k), `workflow = \"metalness\"`",
+         `csv` (a file of wavelength, n, k), `workflow = \"metalness\"`, `workflow = \"f0\"` and `f0` (what it reflects at \
+         normal incidence)",
     ];
     assert_eq!(lines, expected);
 }

@@ -59,7 +59,7 @@ struct Check {
     variable: Option<(&'static str, &'static str)>,
 }
 
-const CHECKS: [Check; 5] = [
+const CHECKS: [Check; 6] = [
     Check { name: "formatting", arguments: &["fmt", "--all", "--check"], variable: None },
     Check {
         name: "lints",
@@ -69,6 +69,11 @@ const CHECKS: [Check; 5] = [
     Check {
         name: "library without features",
         arguments: &["check", "--package", "pavo", "--no-default-features"],
+        variable: None,
+    },
+    Check {
+        name: "library as it is fuzzed",
+        arguments: &["check", "--package", "pavo", "--no-default-features", "--features", "points"],
         variable: None,
     },
     Check {

@@ -15,6 +15,9 @@ use crate::CheckError;
 /// The extensions of the files that [`judge_file`] reads.
 pub const FILE_EXTENSIONS: [&str; 10] = ["wgsl", "glsl", "vert", "frag", "comp", "hlsl", "osl", "spv", "spvasm", "rs"];
 
+/// The largest file that is judged, in bytes: 64 MiB. The largest text that is emitted has some hundred kilobytes.
+const MAXIMUM_BYTES: usize = 64 << 20;
+
 /// Judges a file; its extension tells what it is.
 ///
 /// - `.wgsl`: with or without entry points.
@@ -33,7 +36,7 @@ pub const FILE_EXTENSIONS: [&str; 10] = ["wgsl", "glsl", "vert", "frag", "comp",
 /// when it cannot be judged, [`CheckError::Missing`] when a tool is not installed.
 pub fn judge_file(path: impl AsRef<Path>) -> Result<Vec<Verdict>, CheckError> {
     let path = path.as_ref();
-    let file = path.display().to_string();
+    let file = pavo_files::shown(path);
     let extension = path.extension().and_then(|extension| extension.to_str()).map(str::to_ascii_lowercase);
     match extension.as_deref() {
         Some("wgsl") => judge_wgsl(None, &file, &read_text(path)?),
@@ -84,7 +87,8 @@ fn stage_of_extension(extension: &str) -> Option<Stage> {
 }
 
 fn read_bytes(path: &Path) -> Result<Vec<u8>, CheckError> {
-    std::fs::read(path).map_err(|error| CheckError::Unreadable { path: path.to_owned(), reason: error.to_string() })
+    pavo_files::read_up_to(path, MAXIMUM_BYTES)
+        .map_err(|error| CheckError::Unreadable { path: path.to_owned(), reason: error.to_string() })
 }
 
 fn read_text(path: &Path) -> Result<String, CheckError> {

@@ -24,7 +24,7 @@ fn main() -> ExitCode {
                 return ExitCode::FAILURE;
             }
         };
-        if let Err(error) = std::fs::write(&path, text) {
+        if let Err(error) = pavo_files::write(&path, text.as_bytes()) {
             say(&format!("cannot write {}: {error}", path.display()));
             return ExitCode::FAILURE;
         }

@@ -57,18 +57,19 @@ impl Reference {
         map_each(samples, |(stack, point)| self.reflectance(stack, *point))
     }
 
-    /// The reflectance where each output channel has a base index of its own, real and the same at every wavelength: what
-    /// the metalness workflow asks for. All indices are above 0.
+    /// The reflectance where each output channel has a complex base index of its own, the same at every wavelength: what
+    /// a base asks for that is known by its reflectance at normal incidence. All real parts are above 0.
     pub fn reflectance_per_channel(
         &self,
         ambient_ior: f64,
         film_ior: f64,
-        base_ior: [f64; 3],
+        base: [(f64, f64); 3],
         point: Point,
     ) -> [f64; 3] {
         let film = Complex64::from(film_ior);
         std::array::from_fn(|channel| {
-            let film = FilmAtAngle::new(ambient_ior, film, base_ior[channel].into(), point.cos_theta1);
+            let (n, k) = base[channel];
+            let film = FilmAtAngle::new(ambient_ior, film, Complex64::new(n, k), point.cos_theta1);
             self.integrate(|index| film.reflectance(point.thickness_nm / self.wavelengths_nm[index]))[channel]
         })
     }

@@ -106,12 +106,12 @@ fn with_an_index_per_channel_each_channel_is_that_of_its_own_stack() {
     let sensitivities =
         Sensitivities::new(Observer::Cie1931TwoDegree, Illuminant::D65, ColourSpace::LinearSrgb).unwrap();
     let reference = Reference::new(&sensitivities);
-    let base_ior = [1.2, 1.9, 7.5];
+    let base = [(1.2, 0.0), (1.9, 0.3), (0.2, 3.5)];
     for point in [Point::new(1.0, 0.0), Point::new(0.7, 333.0), Point::new(0.05, 900.0)] {
-        let found = reference.reflectance_per_channel(1.0, 1.4, base_ior, point);
-        for (channel, base) in base_ior.into_iter().enumerate() {
-            let index = |n| OpticalConstants::constant(n, 0.0).unwrap();
-            let stack = Stack::new(1.0, index(1.4), index(base)).unwrap();
+        let found = reference.reflectance_per_channel(1.0, 1.4, base, point);
+        for (channel, (n, k)) in base.into_iter().enumerate() {
+            let index = |n, k| OpticalConstants::constant(n, k).unwrap();
+            let stack = Stack::new(1.0, index(1.4, 0.0), index(n, k)).unwrap();
             assert_eq!(found[channel], reference.reflectance(&stack, point)[channel], "{point:?}");
         }
     }

@@ -16,7 +16,7 @@ pub struct BuildError {
 impl BuildError {
     /// The same error of a scene in a file.
     pub(super) fn in_file(self, path: &Path) -> Self {
-        Self { text: format!("{}: {}", path.display(), self.text) }
+        Self { text: format!("{}: {}", pavo_files::shown(path), self.text) }
     }
 
     pub(super) fn new(message: impl fmt::Display, help: impl fmt::Display) -> Self {

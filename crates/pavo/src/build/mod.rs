@@ -10,7 +10,6 @@ use crate::scene::Scene;
 use crate::shading::Shading;
 use crate::variant::Variant;
 use pavo_emit::{Dialect, Language};
-use std::io::Write as _;
 use std::path::{Path, PathBuf};
 
 /// Emits a scene from a `build.rs`: the text of each target, and a Rust module that takes it in.
@@ -208,15 +207,10 @@ fn tell_cargo(what: &str, value: impl std::fmt::Display) {
     }
 }
 
-/// Writes a file beside its place and then moves it there.
+/// Writes a file whole or not at all.
 fn write(path: &Path, text: &str) -> Result<(), BuildError> {
-    let beside = path.with_extension("partial");
-    let written = std::fs::File::create(&beside)
-        .and_then(|mut file| file.write_all(text.as_bytes()))
-        .and_then(|()| std::fs::rename(&beside, path));
-    written.map_err(|error| {
-        let _ = std::fs::remove_file(&beside);
+    pavo_files::write(path, text.as_bytes()).map_err(|error| {
         let help = "name a folder that is there and can be written to";
-        BuildError::new(format!("{} cannot be written: {error}", path.display()), help)
+        BuildError::new(format!("{} cannot be written: {error}", pavo_files::shown(path)), help)
     })
 }

@@ -1,5 +1,6 @@
 //! The arguments of the command.
 
+use super::work::count;
 use crate::inputs::ShadingQuantity;
 use crate::target::Target;
 use crate::variant::FittedForm;
@@ -188,9 +189,9 @@ pub struct Preview {
     /// The variant [default: that of the scene].
     #[arg(long)]
     pub variant: Option<String>,
-    /// The width and height of the picture in pixels.
-    #[arg(long, default_value_t = 512, value_parser = clap::value_parser!(u32).range(16..=4096))]
-    pub size: u32,
+    /// The width and height of the picture in pixels, 16 to 4096.
+    #[arg(long, value_name = "PIXELS", default_value = "512", value_parser = count)]
+    pub size: f64,
 }
 
 #[derive(Debug, Args)]
@@ -261,8 +262,8 @@ pub struct FitSensitivities {
     #[arg(long, value_enum)]
     pub family: FamilyName,
     /// How many terms; for rgb-gauss and xyz-gauss, for each channel.
-    #[arg(long)]
-    pub count: usize,
+    #[arg(long, value_parser = count)]
+    pub count: f64,
     #[command(flatten)]
     pub spectrum: SpectrumArguments,
     /// The largest optical path difference that is fitted, um.
@@ -287,8 +288,8 @@ pub struct FitScene {
     #[arg(long, value_enum)]
     pub form: Option<FormOfFit>,
     /// How many waves; where the form is left open, how many at most.
-    #[arg(short = 'k', long, default_value_t = 6)]
-    pub count: usize,
+    #[arg(short = 'k', long, default_value = "6", value_parser = count)]
+    pub count: f64,
     /// The largest root of the mean square error.
     #[arg(long, value_name = "ERROR")]
     pub max_rms: Option<f64>,
@@ -373,8 +374,8 @@ pub struct Stability {
     #[arg(long)]
     pub variant: Option<String>,
     /// The points of the sweep of each variant on lavapipe [default: 10000000, or with --quick 40000].
-    #[arg(long, value_name = "N")]
-    pub points: Option<usize>,
+    #[arg(long, value_name = "N", value_parser = count)]
+    pub points: Option<f64>,
     /// A short sweep, and each variant by every road on one surface alone.
     #[arg(long)]
     pub quick: bool,

@@ -30,7 +30,7 @@ pub fn run(arguments: &arguments::Check) -> Result<(), Failure> {
         let names: Vec<String> = verdicts.iter().map(|verdict| verdict.judge.described()).collect();
         text.push_str(&format!("{file}: passed by {}\n", names.join(", ")));
         for diagnostic in verdicts.iter().flat_map(|verdict| &verdict.diagnostics) {
-            text.push_str(&format!("  {diagnostic}\n"));
+            text.push_str(&format!("  {}\n", output::printable(&diagnostic.to_string())));
         }
     }
     output::print(&text)

@@ -17,9 +17,9 @@ pub fn emit(scene: &Path, target: Target, variant: &Variant, form: Form, quantit
     command
 }
 
-/// A path as a shell reads it.
+/// A path as a shell reads it. It stands in comments too, so that what would end a line there is escaped.
 pub fn quoted(path: &Path) -> String {
-    let path = path.display().to_string();
+    let path = pavo_files::shown(path);
     if path.contains(|character: char| character.is_whitespace() || "'\"\\$".contains(character)) {
         format!("'{}'", path.replace('\'', "'\\''"))
     } else {

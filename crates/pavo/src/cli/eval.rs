@@ -7,10 +7,10 @@ use super::progress::Progress;
 use super::sources::Source;
 use crate::inputs::ShadingQuantity;
 use crate::points_table::PointsTable;
-use crate::reading::read_up_to;
 use crate::roads::{self, Road};
 use crate::statistics::Difference;
 use pavo_check::Device;
+use pavo_files::{read_up_to, shown};
 
 /// The largest table of points that is read, in bytes.
 const MAXIMUM_POINTS_BYTES: usize = 256 << 20;
@@ -22,7 +22,7 @@ pub fn run(arguments: &arguments::Eval) -> Result<(), Failure> {
     let path = &arguments.points;
     let text = read_up_to(path, MAXIMUM_POINTS_BYTES).map_err(|error| Failure::file(path, "read", &error))?;
     let inputs = source.shading.inputs(quantity);
-    let table = PointsTable::parse(&path.display().to_string(), &text, source.shading.scene(), &inputs)?;
+    let table = PointsTable::parse(&shown(path), &text, source.shading.scene(), &inputs)?;
     drop(text);
     if !table.ignored.is_empty() {
         output::warn(&format!("no input of the scene is called {}: not used", table.ignored.join(", ")));

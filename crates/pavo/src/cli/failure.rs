@@ -1,5 +1,7 @@
 //! How a command fails: with a message, and with a status that says of what kind.
 
+use super::output::printable;
+use super::work;
 use crate::media::MediaError;
 use crate::points_table::PointsError;
 use crate::roads::RoadError;
@@ -10,6 +12,8 @@ use crate::variant::VariantError;
 use miette::{Report, miette};
 use pavo_check::CheckError;
 use pavo_emit::EmitError;
+use pavo_files::shown;
+use std::io::ErrorKind;
 use std::path::Path;
 use std::process::ExitCode;
 
@@ -27,20 +31,35 @@ pub struct Failure {
 impl Failure {
     /// Bad input: what is wrong, and what would be right.
     pub fn input(message: impl std::fmt::Display, help: impl std::fmt::Display) -> Self {
-        Self { status: BAD_INPUT, report: miette!(help = help.to_string(), "{message}") }
+        Self { status: BAD_INPUT, report: miette!(help = help.to_string(), "{}", printable(&message.to_string())) }
     }
 
     /// A check that failed.
     pub fn check(message: impl std::fmt::Display) -> Self {
-        Self { status: CHECK_FAILED, report: miette!("{message}") }
+        Self { status: CHECK_FAILED, report: miette!("{}", printable(&message.to_string())) }
     }
 
     /// A file that cannot be read or written.
     pub fn file(path: &Path, action: &str, error: &std::io::Error) -> Self {
-        Self::input(
-            format!("{}: cannot be {action}: {error}", path.display()),
-            "name a file that can be, in a folder that is there",
-        )
+        let help = match error.kind() {
+            ErrorKind::IsADirectory => "name a file in it",
+            ErrorKind::NotADirectory | ErrorKind::AlreadyExists => {
+                "a part of the path is a file; name one below a folder"
+            }
+            ErrorKind::NotFound => "name a file in a folder that is there",
+            ErrorKind::PermissionDenied | ErrorKind::ReadOnlyFilesystem => {
+                "name a file in a folder that this user may read and write"
+            }
+            ErrorKind::StorageFull | ErrorKind::QuotaExceeded => "make room on the disk, or name a file on another one",
+            ErrorKind::FileTooLarge if action == "written" => {
+                "raise the limit on the size of files (`ulimit -f`), or name a file on another disk"
+            }
+            ErrorKind::FileTooLarge => "divide the file, or leave out of it what is not read",
+            ErrorKind::InvalidFilename => "give it a shorter name",
+            ErrorKind::TimedOut => "name an ordinary file, or a pipe that somebody writes to",
+            _ => "name a file that can be, in a folder that is there",
+        };
+        Self::input(format!("{}: cannot be {action}: {error}", shown(path)), help)
     }
 
     /// Prints the message, and gives the status to exit with.
@@ -81,7 +100,10 @@ impl From<PointsError> for Failure {
 
 impl From<VariantError> for Failure {
     fn from(error: VariantError) -> Self {
-        Self::input(&error, error.help())
+        match error.excess().and_then(work::of_variant) {
+            Some(taken) => Self::input(format!("{error}: {taken}"), error.help()),
+            None => Self::input(&error, error.help()),
+        }
     }
 }
 
@@ -118,6 +140,6 @@ impl From<CheckError> for Failure {
             CheckError::Unreadable { .. } | CheckError::UnknownKind { .. } => BAD_INPUT,
             _ => error.exit_status(),
         };
-        Self { status, report: miette!("{error}") }
+        Self { status, report: miette!("{}", printable(&error.to_string())) }
     }
 }

@@ -5,6 +5,7 @@ use super::failure::Failure;
 use super::output;
 use super::progress::Progress;
 use super::spectrum;
+use super::work;
 use crate::fitting::form;
 use crate::media::MediaError;
 use crate::scene::Scene;
@@ -23,10 +24,11 @@ pub fn run(command: &FitCommand) -> Result<(), Failure> {
 }
 
 fn sensitivities(arguments: &arguments::FitSensitivities) -> Result<(), Failure> {
+    work::TERMS.check(&format!("`--count {}`", arguments.count), arguments.count)?;
     let sensitivities = spectrum::sensitivities(&arguments.spectrum)?;
     let request = FitRequest {
         family: arguments.family.into(),
-        count: arguments.count,
+        count: arguments.count as usize,
         observer: sensitivities.observer(),
         illuminant: sensitivities.illuminant().clone(),
         space: sensitivities.space(),
@@ -58,6 +60,7 @@ fn sensitivities(arguments: &arguments::FitSensitivities) -> Result<(), Failure>
 }
 
 fn scene(arguments: &arguments::FitScene) -> Result<(), Failure> {
+    work::WAVES.check(&format!("`--count {}`", arguments.count), arguments.count)?;
     let scene = Scene::load(&arguments.scene)?;
     let wanted = arguments.form.map(FittedForm::from);
     // Any method will do: the media and the ranges are what is needed of the surface.
@@ -83,7 +86,7 @@ fn scene(arguments: &arguments::FitScene) -> Result<(), Failure> {
         thickness_nm,
         sensitivities: shading.sensitivities(),
         form: wanted.map(form),
-        nodes: arguments.count,
+        nodes: arguments.count as usize,
         seed: arguments.seed,
         rms_error: arguments.max_rms,
         max_error: arguments.max_error,

@@ -28,6 +28,7 @@ mod sphere;
 mod stability;
 mod tune;
 mod variants;
+mod work;
 
 use arguments::{Arguments, Command};
 use clap::Parser;
@@ -42,8 +43,13 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
     let arguments = match Arguments::try_parse_from(arguments) {
         Ok(arguments) => arguments,
         Err(error) => {
-            // Help and version are no errors; if they cannot be written there is nobody to tell.
-            let _ = error.print();
+            let text = error.render().to_string();
+            if text.chars().any(|character| character.is_control() && character != '\n') {
+                output::say(&text);
+            } else {
+                // Help and version are no errors; if they cannot be written there is nobody to tell.
+                let _ = error.print();
+            }
             return ExitCode::from(if error.use_stderr() { failure::BAD_INPUT } else { 0 });
         }
     };

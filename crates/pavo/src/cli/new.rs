@@ -12,7 +12,7 @@ pub fn run(arguments: &arguments::New) -> Result<(), Failure> {
     let path = PathBuf::from(format!("{}.toml", arguments.name));
     if path.exists() {
         return Err(Failure::input(
-            format!("{} is there already", path.display()),
+            format!("{} is there already", pavo_files::shown(&path)),
             "choose another name, or move the file away",
         ));
     }

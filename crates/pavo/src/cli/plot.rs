@@ -50,7 +50,7 @@ impl Format {
             Some("svg") => Ok(Format::Svg),
             Some("png") => Ok(Format::Png),
             _ => Err(Failure::input(
-                format!("{}: the extension names no format of plots", path.display()),
+                format!("{}: the extension names no format of plots", pavo_files::shown(path)),
                 "name a file that ends in .svg or .png",
             )),
         }

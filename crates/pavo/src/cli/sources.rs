@@ -24,6 +24,8 @@ pub(super) const AUTO: &str = "auto";
 pub struct Source {
     /// Where the scene was read.
     pub path: PathBuf,
+    /// Its text.
+    pub text: String,
     /// The surface.
     pub shading: Shading,
 }
@@ -31,10 +33,10 @@ pub struct Source {
 impl Source {
     /// Reads a scene and makes its surface, and says what there is to warn of.
     pub fn load(path: &Path, variant: Option<&str>) -> Result<Self, Failure> {
-        let scene = Scene::load(path)?;
+        let (scene, text) = Scene::load_with_text(path)?;
         let variant = match variant.unwrap_or(&scene.emit.variant) {
             AUTO => picked(&scene)?,
-            text => text.parse()?,
+            named => named.parse()?,
         };
         let progress = Progress::start();
         progress.step(format!("preparing {} by {variant}", scene.name));
@@ -43,7 +45,7 @@ impl Source {
         for warning in shading.warnings() {
             output::warn(&warning);
         }
-        Ok(Self { path: path.to_owned(), shading })
+        Ok(Self { path: path.to_owned(), text, shading })
     }
 
     /// Emits one target in a form and has it judged.

@@ -56,6 +56,11 @@ impl Base {
         Base::Metal { name: name.to_owned() }
     }
 
+    /// What reflects this much at normal incidence under air, with an edge tint where it is a conductor.
+    pub fn f0(f0: ColourQuantity, edge_tint: Option<ColourQuantity>) -> Self {
+        Base::F0 { f0, edge_tint }
+    }
+
     /// A material from a CSV file; a relative path is one from the current folder.
     pub fn csv(path: impl Into<PathBuf>) -> Self {
         Base::Table { path: path.into() }

@@ -6,8 +6,8 @@ use std::ops::Range;
 /// Why a scene was refused: what is wrong, where in the file, and what would be right.
 ///
 /// `Display` is the sentence alone. `Debug`, which a build script's `main` prints, is `file:line:column: sentence`, then
-/// the line of the scene with a mark below what is wrong, then the help. With the feature `cli` it is a diagnostic of
-/// miette. (A line too long to be drawn is not; the sentence then names line and column.)
+/// the line of the scene with a mark below what is wrong, then the help. With the feature `points` it is a diagnostic of
+/// miette. (A line too long to be drawn is not; the sentence then names the file, line and column.)
 #[derive(Clone)]
 pub struct SceneError {
     pub(super) detail: Box<Detail>,
@@ -41,10 +41,10 @@ impl SceneError {
     /// The same error in the text `text` of the file `file_name`, the first label being where it is.
     pub(super) fn in_source(mut self, file_name: &str, text: &str, labels: Vec<(Range<usize>, String)>) -> Self {
         self.detail.labels = labels.into_iter().map(|(span, label)| (visible(span, text), label)).collect();
-        self.detail.source = Some(Source { name: file_name.to_owned(), text: text.to_owned() });
+        self.detail.source = Some(Source { name: file_name.to_owned(), text: masked(text) });
         self.detail.drawable = self.detail.labels.iter().all(|(span, _)| is_drawable(span, text));
         if let (false, Some((_, line, column))) = (self.detail.drawable, self.location()) {
-            self.detail.message.push_str(&format!(" (line {line}, column {column})"));
+            self.detail.message.push_str(&format!(" ({file_name}, line {line}, column {column})"));
         }
         self
     }
@@ -86,6 +86,20 @@ impl SceneError {
         let margin = " ".repeat(number.len());
         Some(format!("  {margin} |\n  {number} | {line}\n  {margin} | {before}{marks} {label}\n"))
     }
+}
+
+/// The text with a mark in the place of what a terminal would take for a command, byte for byte: places stay what they are.
+fn masked(text: &str) -> String {
+    let mut masked = String::with_capacity(text.len());
+    for character in text.chars() {
+        match character {
+            '\n' | '\t' => masked.push(character),
+            '\r' => masked.push(' '),
+            _ if pavo_files::is_printable(character) => masked.push(character),
+            _ => masked.extend(std::iter::repeat_n('?', character.len_utf8())),
+        }
+    }
+    masked
 }
 
 /// A span that can be drawn: within the text, of whole characters; an empty one at the very end of the text takes in

@@ -12,7 +12,7 @@ use super::places::Places;
 use super::read::read;
 use super::shown::shown;
 use super::validate::check;
-use crate::reading::read_up_to;
+use pavo_files::read_up_to;
 
 /// The largest scene file that is read, in bytes: 1 MiB, a thousand times the usual size.
 pub const MAXIMUM_FILE_BYTES: usize = 1 << 20;
@@ -34,11 +34,16 @@ impl Scene {
     /// A file that cannot be read, is larger than [`MAXIMUM_FILE_BYTES`] or is not UTF-8; a `csv` that is not there;
     /// and everything that [`Scene::from_toml`] refuses.
     pub fn load(path: &Path) -> Result<Scene, SceneError> {
-        let file_name = path.display().to_string();
+        Self::load_with_text(path).map(|(scene, _)| scene)
+    }
+
+    /// The same with the text of the file, which may be a pipe that is read once.
+    pub(crate) fn load_with_text(path: &Path) -> Result<(Scene, String), SceneError> {
+        let file_name = pavo_files::shown(path);
         let bytes = read_file(path, &file_name)?;
         let directory = path.parent().unwrap_or(Path::new(""));
         match String::from_utf8(bytes) {
-            Ok(text) => parse(&file_name, &text, directory, check_table_is_a_file),
+            Ok(text) => parse(&file_name, &text, directory, check_table_is_a_file).map(|scene| (scene, text)),
             Err(error) => Err(not_utf8(&file_name, error.as_bytes(), error.utf8_error().valid_up_to())),
         }
     }
@@ -51,7 +56,10 @@ fn parse(
     check_files: impl Fn(&Scene) -> Checked<()>,
 ) -> Result<Scene, SceneError> {
     if text.len() > MAXIMUM_FILE_BYTES {
-        return Err(too_large(file_name));
+        return Err(too_large(
+            file_name,
+            &format!("it has {} bytes; the most that are read are {MAXIMUM_FILE_BYTES}", text.len()),
+        ));
     }
     let document = DeTable::parse(text).map_err(|error| syntax_error(file_name, text, &error))?;
     let document = document.get_ref();
@@ -66,7 +74,7 @@ fn parse(
 fn read_file(path: &Path, file_name: &str) -> Result<Vec<u8>, SceneError> {
     let cannot = |error: std::io::Error| {
         let (message, help) = match error.kind() {
-            ErrorKind::FileTooLarge => return too_large(file_name),
+            ErrorKind::FileTooLarge => return too_large(file_name, &error.to_string()),
             ErrorKind::NotFound => (
                 format!("there is no scene file `{file_name}`"),
                 "check the path, or write a new scene with `pavo new NAME`",
@@ -74,6 +82,10 @@ fn read_file(path: &Path, file_name: &str) -> Result<Vec<u8>, SceneError> {
             ErrorKind::IsADirectory => {
                 (format!("`{file_name}` is a folder, not a scene file"), "name a file, such as `soap-bubble.toml`")
             }
+            ErrorKind::TimedOut => (
+                format!("the scene file `{file_name}` cannot be read: {error}"),
+                "name an ordinary file, or a pipe that somebody writes to",
+            ),
             _ => (
                 format!("the scene file `{file_name}` cannot be read: {error}"),
                 "check that the file may be read by this user",
@@ -84,8 +96,8 @@ fn read_file(path: &Path, file_name: &str) -> Result<Vec<u8>, SceneError> {
     read_up_to(path, MAXIMUM_FILE_BYTES).map_err(cannot)
 }
 
-fn too_large(file_name: &str) -> SceneError {
-    let message = format!("`{file_name}` is larger than 1 MiB");
+fn too_large(file_name: &str, size: &str) -> SceneError {
+    let message = format!("the scene file `{file_name}` is too large: {size}");
     let help = "a scene has about a kilobyte; optical constants go into a CSV file that `base.csv` names";
     SceneError::without_source(message, help.to_owned(), None)
 }

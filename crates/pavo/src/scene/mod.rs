@@ -24,7 +24,7 @@
 //! ```
 
 mod builder;
-#[cfg(feature = "cli")]
+#[cfg(feature = "points")]
 mod diagnostic;
 mod error;
 mod fault;

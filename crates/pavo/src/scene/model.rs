@@ -79,7 +79,7 @@ impl Scene {
         match &mut self.base {
             Base::Dielectric { ior } => open(ior),
             Base::Conductor { ior, kappa } => [ior, kappa].into_iter().for_each(open),
-            Base::Metal { .. } | Base::Table { .. } | Base::Metalness => {}
+            Base::Metal { .. } | Base::Table { .. } | Base::Metalness | Base::F0 { .. } => {}
         }
     }
 
@@ -121,6 +121,16 @@ impl Scene {
             IlluminantSource::Named(_) => None,
         };
         film.into_iter().chain(base).chain(illuminant).map(PathBuf::as_path).collect()
+    }
+
+    /// Whether Schlick's approximation is for the base: it is known by its reflectance at normal incidence in the
+    /// ambient medium alone.
+    pub(crate) fn has_schlick_base(&self) -> bool {
+        match self.base {
+            Base::Metalness => true,
+            Base::F0 { edge_tint, .. } => edge_tint.is_none() && self.ambient.ior == Quantity::Fixed(1.0),
+            Base::Dielectric { .. } | Base::Conductor { .. } | Base::Metal { .. } | Base::Table { .. } => false,
+        }
     }
 
     /// Whether the functions come in two parts, one of which is run once a material: the scene says what is uniform, or
@@ -309,6 +319,15 @@ pub enum Base {
     Table {
         /// The CSV file, already joined to the folder of the scene file.
         path: PathBuf,
+    },
+    /// A medium that is known by what it reflects at normal incidence under air alone, as engines have it.
+    F0 {
+        /// Reflectance at normal incidence under air, in the colour space of the scene; what is above 0.9998 is taken as
+        /// 0.9998.
+        f0: ColourQuantity,
+        /// The edge tint of Gulbrandsen 2014, which makes it a conductor by channel: 0 does not absorb, 1 has the smallest
+        /// index that `f0` allows. `None` is a dielectric by channel.
+        edge_tint: Option<ColourQuantity>,
     },
     /// The base colour and metalness of [`Surface`] give the reflectance at normal incidence, as engines have it.
     Metalness,

@@ -64,7 +64,8 @@ fn missing_base() -> Box<Fault> {
 
 fn kinds_of_base() -> &'static str {
     "`ior` (a dielectric), `ior` and `kappa` (a conductor), `metal` (such as Au, Al, Ti, Si), \
-     `csv` (a file of wavelength, n, k), `workflow = \"metalness\"`"
+     `csv` (a file of wavelength, n, k), `workflow = \"metalness\"`, \
+     `workflow = \"f0\"` and `f0` (what it reflects at normal incidence)"
 }
 
 fn read_colour(table: &Table<'_>, directory: &Path) -> Checked<Colour> {
@@ -114,6 +115,9 @@ fn read_film(table: &Table<'_>, directory: &Path) -> Checked<Film> {
 
 fn read_base(table: &Table<'_>, directory: &Path) -> Checked<Base> {
     let given: Vec<&str> = ["ior", "kappa", "metal", "csv", "workflow"].into_iter().filter(|k| table.has(k)).collect();
+    if !given.contains(&"workflow") {
+        check_belongs_to_f0(table)?;
+    }
     match given[..] {
         ["ior"] => Ok(Base::Dielectric { ior: table.required_quantity("ior", CONDUCTOR_HELP)? }),
         ["ior", "kappa"] => {
@@ -146,8 +150,17 @@ fn read_base(table: &Table<'_>, directory: &Path) -> Checked<Base> {
             Err(fault.and_at(format!("base.{first}"), "described here"))
         }
         // Of the five keys only `workflow` is left.
-        [_] => read_workflow(table.string("workflow")?.unwrap_or_default()),
+        [_] => read_workflow(table),
     }
+}
+
+/// What belongs to the workflow `f0` is given without it.
+fn check_belongs_to_f0(table: &Table<'_>) -> Checked<()> {
+    let Some(key) = ["f0", "edge_tint"].into_iter().find(|key| table.has(key)) else { return Ok(()) };
+    let path = table.path(key);
+    let message = format!("`{path}` is given, but the base is not of the workflow `f0`");
+    let help = format!("remove `{key}`, or write `workflow = \"f0\"` in place of what else describes the material");
+    Err(Fault::at(path, "belongs to `workflow = \"f0\"`", message, help).in_key())
 }
 
 fn csv_path(key: &str, file: &str, directory: &Path) -> Checked<PathBuf> {
@@ -158,11 +171,23 @@ fn csv_path(key: &str, file: &str, directory: &Path) -> Checked<PathBuf> {
     Ok(directory.join(file))
 }
 
-fn read_workflow(workflow: &str) -> Checked<Base> {
+fn read_workflow(table: &Table<'_>) -> Checked<Base> {
+    let workflow = table.string("workflow")?.unwrap_or_default();
     if workflow == "metalness" {
+        check_belongs_to_f0(table)?;
         return Ok(Base::Metalness);
     }
-    let help = did_you_mean(workflow, WORKFLOWS, "the only workflow is");
+    if workflow == "f0" {
+        let read = |key| table.value(key).map(|value| read_color(table, key, value)).transpose();
+        let Some(f0) = read("f0")? else {
+            let message = "the workflow `f0` needs `base.f0`, which is missing";
+            let help = "add to [base] what it reflects at normal incidence under air: `f0 = [1.0, 0.71, 0.29]` (linear, \
+                        each within 0 and 1), or `f0 = \"input\"`";
+            return Err(Fault::at("base.workflow", "needs `f0` beside it", message, help));
+        };
+        return Ok(Base::F0 { f0, edge_tint: read("edge_tint")? });
+    }
+    let help = did_you_mean(workflow, WORKFLOWS, "the workflows are");
     Err(Fault::at("base.workflow", "unknown workflow", format!("unknown workflow `{}`", shown(workflow)), help))
 }
 
@@ -174,15 +199,17 @@ fn read_surface(table: Option<&Table<'_>>, base: &Base) -> Checked<Surface> {
     let Some(table) = table else { return Ok(surface) };
     surface.roughness = table.quantity("roughness")?.unwrap_or(surface.roughness);
     surface.diffuse = table.boolean("diffuse")?.unwrap_or(surface.diffuse);
-    surface.base_color = table.value("base_color").map(read_base_color).transpose()?;
+    surface.base_color = table.value("base_color").map(|value| read_color(table, "base_color", value)).transpose()?;
     surface.metalness = table.quantity("metalness")?.or(surface.metalness);
     surface.visibility_k = read_visibility_k(table)?.unwrap_or(surface.visibility_k);
     Ok(surface)
 }
 
-fn read_base_color(value: &DeValue<'_>) -> Checked<ColourQuantity> {
-    let path = "surface.base_color";
-    let help = "write `base_color = [0.1, 0.5, 0.2]` (linear, each within 0 and 1), or `base_color = \"input\"`";
+fn read_color(table: &Table<'_>, key: &str, value: &DeValue<'_>) -> Checked<ColourQuantity> {
+    let path = table.path(key);
+    let path = path.as_str();
+    let help = format!("write `{key} = [0.1, 0.5, 0.2]` (linear, each within 0 and 1), or `{key} = \"input\"`");
+    let help = help.as_str();
     match value {
         DeValue::String(text) if text == "input" => Ok(ColourQuantity::Input),
         DeValue::String(text) => {

@@ -74,6 +74,13 @@ impl Serialize for Base {
             }
             Base::Metal { name } => map.serialize_entry("metal", name)?,
             Base::Table { path } => map.serialize_entry("csv", path)?,
+            Base::F0 { f0, edge_tint } => {
+                map.serialize_entry("workflow", "f0")?;
+                map.serialize_entry("f0", f0)?;
+                if let Some(edge_tint) = edge_tint {
+                    map.serialize_entry("edge_tint", edge_tint)?;
+                }
+            }
             Base::Metalness => map.serialize_entry("workflow", "metalness")?,
         }
         map.end()

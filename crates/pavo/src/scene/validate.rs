@@ -131,6 +131,11 @@ fn check_base(base: &Base) -> Checked<()> {
         Base::Table { path } if path.as_os_str().is_empty() => {
             Err(Fault::at("base.csv", "empty", "`base.csv` names no file", "name a file of wavelength, n and k"))
         }
+        Base::F0 { f0, edge_tint } => {
+            let colours = [("base.f0", Some(*f0)), ("base.edge_tint", *edge_tint)];
+            let fixed = colours.into_iter().filter_map(|(path, colour)| Some((path, colour?.fixed()?)));
+            fixed.into_iter().try_for_each(|(path, colour)| check_colour(path, colour))
+        }
         Base::Table { .. } | Base::Metalness => Ok(()),
     }
 }
@@ -218,7 +223,8 @@ fn check_rates(scene: &Scene) -> Checked<()> {
             Some(Given::Input) => {}
             Some(Given::Fixed(key)) => {
                 let (_, word) = key.rsplit_once('.').unwrap_or(("", key));
-                let value = if name == "base_color" { "\"input\"" } else { "[low, high]" };
+                let is_color = ["base_color", "f0", "edge_tint"].contains(&name.as_str());
+                let value = if is_color { "\"input\"" } else { "[low, high]" };
                 let message = format!("`{name}` is fixed, so that it has no rate");
                 let help = format!("remove this line, or make it an input: `{word} = {value}` at `{key}`");
                 return Err(Fault::at(path, "of a fixed value", message, help));
@@ -241,10 +247,19 @@ fn given(scene: &Scene, name: &str) -> Option<Given> {
         Some(quantity) if quantity.is_input() => Given::Input,
         Some(_) => Given::Fixed(key),
     };
+    let of_color = |color: Option<ColourQuantity>, key: &'static str| match color {
+        None => Given::Absent,
+        Some(ColourQuantity::Input) => Given::Input,
+        Some(ColourQuantity::Fixed(_)) => Given::Fixed(key),
+    };
     let (base_ior, base_kappa) = match scene.base {
         Base::Dielectric { ior } => (Some(ior), None),
         Base::Conductor { ior, kappa } => (Some(ior), Some(kappa)),
-        Base::Metal { .. } | Base::Table { .. } | Base::Metalness => (None, None),
+        Base::Metal { .. } | Base::Table { .. } | Base::Metalness | Base::F0 { .. } => (None, None),
+    };
+    let (f0, edge_tint) = match scene.base {
+        Base::F0 { f0, edge_tint } => (Some(f0), edge_tint),
+        _ => (None, None),
     };
     let light = if scene.lights.punctual { Given::Input } else { Given::Absent };
     Some(match name {
@@ -258,11 +273,9 @@ fn given(scene: &Scene, name: &str) -> Option<Given> {
         "base_ior" => of(base_ior, "base.ior"),
         "base_kappa" => of(base_kappa, "base.kappa"),
         "roughness" => of(Some(surface.roughness), "surface.roughness"),
-        "base_color" => match surface.base_color {
-            None => Given::Absent,
-            Some(ColourQuantity::Input) => Given::Input,
-            Some(ColourQuantity::Fixed(_)) => Given::Fixed("surface.base_color"),
-        },
+        "f0" => of_color(f0, "base.f0"),
+        "edge_tint" => of_color(edge_tint, "base.edge_tint"),
+        "base_color" => of_color(surface.base_color, "surface.base_color"),
         "metalness" => of(surface.metalness, "surface.metalness"),
         "visibility_k" => match surface.visibility_k {
             VisibilityK::Value(k) => of(Some(k), "surface.visibility_k"),

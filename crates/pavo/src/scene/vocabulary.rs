@@ -36,8 +36,8 @@ pub const MAXIMUM_THICKNESS_NM: f64 = 1.0e6;
 /// The most characters in a scene's name or in a prefix.
 pub const MAXIMUM_IDENTIFIER_LENGTH: usize = 64;
 
-/// The one workflow that `base.workflow` may name.
-pub(super) const WORKFLOWS: &[&str] = &["metalness"];
+/// The workflows that `base.workflow` may name.
+pub(super) const WORKFLOWS: &[&str] = &["metalness", "f0"];
 
 /// The names that `surface.visibility_k` may take instead of a number.
 pub(super) const VISIBILITY_NAMES: &[&str] = &["punctual", "ibl"];
@@ -49,6 +49,8 @@ pub const RATED_INPUTS: &[&str] = &[
     "film_ior",
     "base_ior",
     "base_kappa",
+    "f0",
+    "edge_tint",
     "roughness",
     "base_color",
     "metalness",
@@ -71,7 +73,7 @@ pub(super) const TABLES: &[(&str, &[&str])] = &[
     ("colour", &["observer", "illuminant", "illuminant_csv", "space"]),
     ("ambient", &["ior"]),
     ("film", &["ior", "material", "csv", "thickness_nm"]),
-    ("base", &["ior", "kappa", "metal", "csv", "workflow"]),
+    ("base", &["ior", "kappa", "metal", "csv", "workflow", "f0", "edge_tint"]),
     ("surface", &["roughness", "diffuse", "base_color", "metalness", "visibility_k"]),
     ("lights", &["punctual"]),
     ("budget", &["max_delta_e"]),
@@ -90,6 +92,8 @@ pub(super) const ALIASES: &[(&str, &str)] = &[
     ("k", "kappa"),
     ("extinction", "kappa"),
     ("metallic", "metalness"),
+    ("specular_color", "f0"),
+    ("edge_color", "edge_tint"),
     ("substrate", "base"),
     ("coating", "film"),
     ("medium", "ambient"),

@@ -64,9 +64,18 @@ impl OverWhite {
 
     /// How far a colour leaves [0, 1] in any of X, Y and Z over those of white.
     pub fn excess(self, color: [f64; 3]) -> f64 {
-        let beyond = |value: f64| if value.is_nan() { f64::INFINITY } else { (value - 1.0).max(-value).max(0.0) };
-        self.xyz(color).into_iter().map(beyond).fold(0.0, f64::max)
+        outside(self.xyz(color))
     }
+}
+
+/// How far a colour leaves [0, 1] in any channel.
+pub(super) fn outside(color: [f64; 3]) -> f64 {
+    color.into_iter().map(beyond).fold(0.0, f64::max)
+}
+
+/// How far a number leaves [0, 1].
+fn beyond(value: f64) -> f64 {
+    if value.is_nan() { f64::INFINITY } else { (value - 1.0).max(-value).max(0.0) }
 }
 
 /// How many numbers of a colour are not finite.

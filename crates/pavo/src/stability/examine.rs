@@ -6,10 +6,10 @@ use super::draw::{Drawer, column};
 use super::finding::{Check, Finding, SWEEP};
 use super::furnace::furnace;
 use super::map::ErrorMap;
+use super::part::{CasePoints, Part, reference};
 use super::surfaces::{Placed, Surface};
 use super::{Effort, StabilityError};
 use crate::inputs::ShadingQuantity;
-use crate::media::MediaError;
 use crate::roads::{Prepared, Road};
 use crate::scene::Base;
 use crate::shading::Shading;
@@ -21,42 +21,21 @@ use rayon::prelude::*;
 const PIECE: usize = 64;
 /// How many points of a case are looked at for jumps.
 const JUMP_POINTS: usize = 32;
-/// Where the exact reference is one: its step of wavelengths is too coarse for thicker films and closer to grazing.
-const REFERENCE: (f64, f64) = (0.01, 3000.0);
 
 /// A surface with the points that all its variants are examined at.
 pub(super) struct Examination<'a> {
-    device: &'a Device,
+    pub(super) device: &'a Device,
     effort: Effort,
-    reflectance: Part<'a>,
+    pub(super) reflectance: Part<'a>,
     radiance: Part<'a>,
     /// The points of the sweep; a variant takes as many from the start as are its share.
-    sweep: Vec<f32>,
+    pub(super) sweep: Vec<f32>,
     sweep_reference: Vec<(usize, [f64; 3])>,
     placed: &'a [Placed],
 }
 
 /// Colours by the names of the roads that they came by.
 type OnDevice = (String, Vec<[f32; 3]>);
-
-/// The cases of one quantity.
-struct Part<'a> {
-    quantity: ShadingQuantity,
-    inputs: Vec<Input>,
-    width: usize,
-    cases: Vec<CasePoints<'a>>,
-    /// The points of all cases, one after the other.
-    points: Vec<f32>,
-}
-
-/// The points of a case.
-struct CasePoints<'a> {
-    case: &'a Case,
-    /// The first, among those of all cases.
-    first: usize,
-    /// The exact reflectance where it is known, by the place in the case.
-    reference: Vec<(usize, [f64; 3])>,
-}
 
 /// What was found of a variant on a surface.
 pub(super) struct Examined {
@@ -113,7 +92,7 @@ impl<'a> Examination<'a> {
     }
 
     /// The points of the sweep that fall to one surface of a variant.
-    fn share(&self, shading: &Shading) -> usize {
+    pub(super) fn share(&self, shading: &Shading) -> usize {
         let surfaces = self.placed.iter().filter(|other| other.shading.variant() == shading.variant()).count();
         self.effort.sweep_points.div_ceil(surfaces.max(1))
     }
@@ -166,6 +145,7 @@ impl<'a> Examination<'a> {
             self.catalogue(shading, part, &by_wgsl, all_roads, white, &mut examined)?;
             if part.quantity == ShadingQuantity::Reflectance {
                 self.sweep(shading, &by_wgsl, white, &mut examined)?;
+                self.single_wavelengths(shading, &mut examined)?;
             }
         }
         Ok(examined)
@@ -262,8 +242,12 @@ impl<'a> Examination<'a> {
                         examined.findings.push(Finding { quantity: "brdf", worst, ..finding });
                         continue;
                     }
-                    Check::SingleP99 => {
-                        let cause = format!("catalogue.toml: {}: {check} is of the sweep alone", case.name);
+                    Check::Contained => {
+                        let (largest, count) = self.contained(part, by_wgsl, *first, case)?;
+                        (Road::Wgsl.name(), largest, count)
+                    }
+                    Check::SingleP99 | Check::Wavelength => {
+                        let cause = format!("catalogue.toml: {}: {check} is not for a case to ask for", case.name);
                         return Err(StabilityError::Data(cause));
                     }
                 };
@@ -370,7 +354,7 @@ impl<'a> Examination<'a> {
         Ok(())
     }
 
-    fn finding(
+    pub(super) fn finding(
         &self,
         shading: &Shading,
         case: &str,
@@ -393,76 +377,11 @@ impl<'a> Examination<'a> {
     }
 }
 
-impl<'a> Part<'a> {
-    fn new(
-        catalogue: &Catalogue,
-        cases: &[&'a Case],
-        shading: &Shading,
-        quantity: ShadingQuantity,
-        fixed: &[(String, f64)],
-    ) -> Result<Self, StabilityError> {
-        let inputs = shading.inputs(quantity);
-        let mut part = Self {
-            quantity,
-            width: inputs.iter().map(Input::components).sum(),
-            inputs,
-            cases: Vec::new(),
-            points: Vec::new(),
-        };
-        for &case in cases {
-            let drawer = Drawer::new(catalogue, case, &part.inputs, fixed)?;
-            let points = drawer.points(0, case.points, 1);
-            let reference = if case.checks.contains(&Check::Reference) {
-                let places: Vec<usize> = (0..case.points).collect();
-                let width = part.width;
-                reference(shading, &part.inputs, &places, |place| &points[place * width..(place + 1) * width])?
-            } else {
-                Vec::new()
-            };
-            part.cases.push(CasePoints { case, first: part.points.len() / part.width, reference });
-            part.points.extend(&points);
-            if case.checks.contains(&Check::Reciprocity) {
-                part.points.extend(exchanged(points, part.width));
-            }
-        }
-        Ok(part)
-    }
-}
-
-/// The points with light and view exchanged, which follow the normal.
-fn exchanged(mut points: Vec<f32>, width: usize) -> Vec<f32> {
-    for point in points.chunks_exact_mut(width) {
-        let (light, view) = point[3..9].split_at_mut(3);
-        light.swap_with_slice(view);
-    }
-    points
-}
-
-/// The exact reflectance at those of some points where it is one.
-fn reference<'p>(
-    shading: &Shading,
-    inputs: &[Input],
-    places: &[usize],
-    point: impl Fn(usize) -> &'p [f32],
-) -> Result<Vec<(usize, [f64; 3])>, MediaError> {
-    let (cosine, thickness) = (column(inputs, "cos_theta1"), column(inputs, "thickness_nm"));
-    let is_exact = |place: &&usize| {
-        let number = |column: Option<usize>| column.map(|column| f64::from(point(**place)[column]));
-        number(cosine).is_none_or(|cosine| cosine >= REFERENCE.0)
-            && number(thickness).is_none_or(|thickness| thickness <= REFERENCE.1)
-    };
-    let places: Vec<usize> = places.iter().filter(is_exact).copied().collect();
-    let points: Vec<Vec<f64>> =
-        places.iter().map(|&place| point(place).iter().copied().map(f64::from).collect()).collect();
-    let exact = shading.reference_each(ShadingQuantity::Reflectance, &points)?;
-    Ok(places.into_iter().zip(exact).collect())
-}
-
 /// Whether a case leaves the base of a surface without a colour.
 fn is_grey(shading: &Shading, case: &Case) -> bool {
     match shading.scene().base {
         Base::Dielectric { .. } | Base::Conductor { .. } => true,
-        Base::Metal { .. } | Base::Table { .. } => false,
+        Base::Metal { .. } | Base::Table { .. } | Base::F0 { .. } => false,
         Base::Metalness => case.inputs.contains_key("base_color"),
     }
 }
@@ -482,12 +401,12 @@ fn stride(count: usize, wanted: usize) -> usize {
     (count / wanted.max(1)).max(1) | 1
 }
 
-fn in_f64_of(colors: &[[f32; 3]]) -> Vec<[f64; 3]> {
+pub(super) fn in_f64_of(colors: &[[f32; 3]]) -> Vec<[f64; 3]> {
     colors.iter().map(|color| color.map(f64::from)).collect()
 }
 
 /// The largest over evaluators, with the name of the one.
-fn largest_of<'n>(figures: impl Iterator<Item = (&'n str, Largest)>) -> (&'n str, Largest) {
+pub(super) fn largest_of<'n>(figures: impl Iterator<Item = (&'n str, Largest)>) -> (&'n str, Largest) {
     figures.fold(("", Largest::default()), |(name, largest), (other, figure)| {
         if largest.index.is_none() || figure.value > largest.value { (other, figure) } else { (name, largest) }
     })

@@ -37,6 +37,9 @@ pub struct Exception {
     pub bound: f64,
     /// Why.
     pub reason: String,
+    /// Whether only the full effort finds what needs it.
+    #[serde(default)]
+    only_full: bool,
 }
 
 fn any() -> Vec<String> {
@@ -44,9 +47,10 @@ fn any() -> Vec<String> {
 }
 
 impl Exception {
-    /// Whether it is for the sweep alone, or for a check that only the sweep makes.
-    pub fn is_of_sweep(&self) -> bool {
-        self.check == Check::SingleP99 || self.cases.iter().all(|case| case == super::SWEEP)
+    /// Whether it may be needed where only the full effort looks: in the sweep, or as the table says.
+    pub fn needs_full(&self) -> bool {
+        let is_of_sweep = self.check == Check::SingleP99 || self.cases.iter().all(|case| case == super::SWEEP);
+        self.only_full || is_of_sweep
     }
 
     fn covers(&self, finding: &Finding) -> bool {
@@ -146,7 +150,7 @@ mod tests {
     use super::*;
 
     const TABLE: &str = "[bounds]\nfinite = 0\nrange = 1e-6\nsingle = 1\nsingle-p99 = 1\nreference = 1\nneutral = 1\n\
-        continuity = 1\nenergy = 1\nreciprocity = 1\n\
+        continuity = 1\nenergy = 1\nreciprocity = 1\nwavelength = 1\ncontained = 0\n\
         [[exception]]\nvariants = ['poles:*']\ncheck = 'range'\nbound = 1e-3\nreason = 'poles overshoot'\n";
 
     fn finding(variant: &str, value: f64) -> Finding {

@@ -14,6 +14,8 @@ pub enum Check {
     Finite,
     /// How far a reflectance leaves [0, 1] in CIE XYZ over that of white.
     Range,
+    /// How far the reflectance leaves [0, 1] at a single wavelength, where the method evaluates such.
+    Wavelength,
     /// The largest difference of `f32` on any evaluator from `f64` on the CPU, for the same inputs.
     Single,
     /// What that difference exceeds at one point of a hundred.
@@ -28,13 +30,16 @@ pub enum Check {
     Energy,
     /// The difference of the BRDF with light and view exchanged, relative to the larger of it and 1.
     Reciprocity,
+    /// How many ordinary points change their colour where every other point is no number.
+    Contained,
 }
 
 impl Check {
     /// All checks, in the order of reports.
-    pub const ALL: [Check; 9] = [
+    pub const ALL: [Check; 11] = [
         Check::Finite,
         Check::Range,
+        Check::Wavelength,
         Check::Single,
         Check::SingleP99,
         Check::Reference,
@@ -42,6 +47,7 @@ impl Check {
         Check::Continuity,
         Check::Energy,
         Check::Reciprocity,
+        Check::Contained,
     ];
 
     /// The name in data and reports.
@@ -49,6 +55,7 @@ impl Check {
         match self {
             Check::Finite => "finite",
             Check::Range => "range",
+            Check::Wavelength => "wavelength",
             Check::Single => "single",
             Check::SingleP99 => "single-p99",
             Check::Reference => "reference",
@@ -56,6 +63,7 @@ impl Check {
             Check::Continuity => "continuity",
             Check::Energy => "energy",
             Check::Reciprocity => "reciprocity",
+            Check::Contained => "contained",
         }
     }
 
@@ -64,6 +72,7 @@ impl Check {
         match self {
             Check::Finite => "numbers that are NaN or infinite",
             Check::Range => "how far the reflectance leaves 0 to 1, in XYZ over that of white",
+            Check::Wavelength => "the same at single wavelengths",
             Check::Single => "single precision against double",
             Check::SingleP99 => "the same, exceeded by one point of a hundred",
             Check::Reference => "double precision against the exact reference",
@@ -71,6 +80,7 @@ impl Check {
             Check::Continuity => "jumps between neighbouring inputs",
             Check::Energy => "what a white furnace returns over what it sends",
             Check::Reciprocity => "light and view exchanged",
+            Check::Contained => "ordinary points beside those that are no numbers",
         }
     }
 }

@@ -4,13 +4,16 @@
 
 mod catalogue;
 mod checks;
+mod contained;
 mod draw;
 mod examine;
 mod exceptions;
 mod finding;
 mod furnace;
 mod map;
+mod part;
 mod surfaces;
+mod wavelengths;
 
 pub use catalogue::{Case, Catalogue};
 pub use exceptions::{Exceptions, Judged, Judgement, Stale};

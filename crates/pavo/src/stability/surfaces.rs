@@ -90,17 +90,20 @@ pub(super) fn group(placed: &[Placed]) -> Vec<Surface<'_>> {
     surfaces
 }
 
-/// Every built-in variant on each built-in surface that it can be made for.
+/// Every built-in variant, or only one, on each built-in surface that it can be made for.
 ///
 /// # Errors
 /// A scene that is none, which the tests rule out.
-pub fn built_in(cache: &dyn FitCache) -> Result<Vec<Placed>, StabilityError> {
+pub fn built_in(only: Option<&Variant>, cache: &dyn FitCache) -> Result<Vec<Placed>, StabilityError> {
     let mut wanted: Vec<(Scene, Variant)> = Vec::new();
     for surface in BuiltIn::ALL {
         let scene = Scene::from_toml(&format!("{}.toml", surface.name), surface.text, Path::new("."))
             .map_err(|error| StabilityError::Data(error.to_string()))?;
         let variants = Variant::candidates_for(&scene).into_iter();
-        let is_for = |variant: &Variant| surface.variants.iter().any(|pattern| matches(pattern, &variant.to_string()));
+        let is_for = |variant: &Variant| {
+            let is_wanted = only.is_none_or(|only| only == variant);
+            is_wanted && surface.variants.iter().any(|pattern| matches(pattern, &variant.to_string()))
+        };
         wanted.extend(variants.filter(is_for).map(|variant| (scene.clone(), variant)));
     }
     let made = wanted.par_iter().map(|(scene, variant)| place(scene, variant, cache));

@@ -12,7 +12,7 @@ use pavo_spectra::ColourSpace;
 use pavo_spectra::delta_e::delta_e_of_linear;
 use serde::{Deserialize, Serialize};
 
-const QUANTITY: ShadingQuantity = ShadingQuantity::Reflectance;
+pub(super) const QUANTITY: ShadingQuantity = ShadingQuantity::Reflectance;
 
 /// How many points are spread over the ranges, and along each edge of the angle.
 const POINTS: usize = 3000;
@@ -102,7 +102,7 @@ impl Judge {
         Ok(VariantErrors {
             max: difference.max,
             rms: difference.rms,
-            mean_delta_e: differences.iter().sum::<f64>() / differences.len() as f64,
+            mean_delta_e: self.mean_delta_e(&found),
             p95_delta_e: at(0.95),
             max_delta_e,
             worst_point,
@@ -139,6 +139,17 @@ impl Judge {
         let differences = delta_e(&found, &expected, self.space);
         let rows = points.into_iter().zip(expected).zip(found).zip(differences);
         Ok(rows.map(|(((inputs, exact), found), delta_e)| WorstPoint { inputs, exact, found, delta_e }).collect())
+    }
+
+    /// The points that are compared.
+    pub(super) fn points(&self) -> &[Vec<f64>] {
+        &self.points
+    }
+
+    /// The mean of CIEDE2000 between the scene's exact colours and others at the same points.
+    pub(super) fn mean_delta_e(&self, colors: &[[f64; 3]]) -> f64 {
+        let differences = delta_e(colors, &self.expected, self.space);
+        differences.iter().sum::<f64>() / differences.len() as f64
     }
 
     /// The run-time inputs of the reflectance with the ranges that were searched.

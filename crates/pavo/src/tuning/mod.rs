@@ -3,10 +3,12 @@
 
 mod cost;
 mod error;
+mod f0_loss;
 mod measured;
 
 pub use cost::{CostKind, Meter, time};
 pub use error::{Judge, VariantErrors, WorstPoint};
+pub use f0_loss::F0Loss;
 pub use measured::Measured;
 
 use crate::fitting::FitCache;

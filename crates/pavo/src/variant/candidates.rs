@@ -14,8 +14,8 @@ impl Variant {
         }
         let exact = Variant::Fresnel { form: FresnelForm::Exact };
         match scene.base {
-            Base::Metalness => vec![Variant::Fresnel { form: FresnelForm::Schlick }, exact],
-            Base::Dielectric { .. } | Base::Conductor { .. } => vec![exact],
+            _ if scene.has_schlick_base() => vec![Variant::Fresnel { form: FresnelForm::Schlick }, exact],
+            Base::Dielectric { .. } | Base::Conductor { .. } | Base::F0 { .. } | Base::Metalness => vec![exact],
             Base::Metal { .. } | Base::Table { .. } => {
                 [8, 16, 32, 81].map(|count| Variant::Spectral { count }).to_vec()
             }

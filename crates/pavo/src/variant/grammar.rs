@@ -6,17 +6,38 @@ use std::str::FromStr;
 use thiserror::Error;
 
 /// A text that is no variant.
-#[derive(Clone, Debug, PartialEq, Eq, Error)]
+#[derive(Clone, Debug, PartialEq, Error)]
 #[error("{message}")]
 pub struct VariantError {
     message: String,
     help: String,
+    #[cfg_attr(not(feature = "cli"), allow(dead_code))]
+    excess: Option<Excess>,
 }
+
+/// A number of a variant that is above its range, and how to tell what it would take.
+#[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(not(feature = "cli"), allow(dead_code))]
+pub(crate) struct Excess {
+    /// The number that was asked for.
+    pub asked: f64,
+    /// Two numbers within the range, each with a variant that has it: what they take grows in a straight line.
+    pub samples: Samples,
+}
+
+/// Numbers with variants that have them; their fits are built in, or they need none.
+pub(crate) type Samples = [(usize, &'static str); 2];
 
 impl VariantError {
     /// What would be right.
     pub fn help(&self) -> &str {
         &self.help
+    }
+
+    /// What is too large, where that is what is wrong.
+    #[cfg(feature = "cli")]
+    pub(crate) fn excess(&self) -> Option<&Excess> {
+        self.excess.as_ref()
     }
 }
 
@@ -29,30 +50,44 @@ struct Family {
 /// An option: its name, what it takes, and what stands for it where it is left out.
 struct OptionRow {
     name: &'static str,
-    /// The range of a whole number; nothing for words and errors.
-    range: Option<(usize, usize)>,
+    /// The range of a whole number, and what tells the work for more; nothing for words and errors.
+    range: Option<(usize, usize, Samples)>,
     /// Empty where leaving it out means something of its own.
     default: &'static str,
 }
 
-const fn counted(name: &'static str, low: usize, high: usize, default: &'static str) -> OptionRow {
-    OptionRow { name, range: Some((low, high)), default }
+const fn counted(name: &'static str, low: usize, high: usize, default: &'static str, samples: Samples) -> OptionRow {
+    OptionRow { name, range: Some((low, high, samples)), default }
 }
 
 const fn worded(name: &'static str, default: &'static str) -> OptionRow {
     OptionRow { name, range: None, default }
 }
 
+const ORDERS: Samples = [(2, "series:m=2"), (4, "series:m=4")];
+const POLES: Samples = [(5, "poles:k=5"), (6, "poles:k=6")];
+const WAVES: Samples = [(6, "windowed:k=6"), (8, "windowed:k=8")];
+/// The first order of a form that is fitted to a scene has the terms of cosines of the first order.
+const COSINES: Samples = [(4, "cosines:k=4,m=1"), (6, "cosines:k=6,m=1")];
+const COSINE_ORDERS: Samples = [(1, "cosines:k=6,m=1"), (2, "cosines:k=6,m=2")];
+const NODES: Samples = [(8, "nodes:n=8"), (16, "nodes:n=16")];
+const DEGREES: Samples = [(4, "baked:degree=4"), (8, "baked:degree=8")];
+const WAVELENGTHS: Samples = [(16, "spectral:n=16"), (32, "spectral:n=32")];
+const ENTRIES: Samples = [(64, "table:8x8"), (256, "table:16x16")];
+
 const FAMILIES: [Family; 9] = [
-    Family { name: "series", options: &[counted("m", 1, 32, "3"), worded("fit", "xyz-gauss")] },
-    Family { name: "poles", options: &[counted("k", 3, 8, "6")] },
-    Family { name: "windowed", options: &[counted("k", 4, 10, "6"), counted("groups", 1, 10, "")] },
-    Family { name: "cosines", options: &[counted("k", 4, 10, "6"), counted("m", 1, 8, "1")] },
-    Family { name: "nodes", options: &[counted("n", 4, 16, "8")] },
-    Family { name: "baked", options: &[counted("degree", 2, 16, "8"), counted("denominator", 0, 8, "0")] },
-    Family { name: "fitted", options: &[worded("form", ""), counted("k", 1, 12, ""), worded("rms", "")] },
+    Family { name: "series", options: &[counted("m", 1, 32, "3", ORDERS), worded("fit", "xyz-gauss")] },
+    Family { name: "poles", options: &[counted("k", 3, 8, "6", POLES)] },
+    Family { name: "windowed", options: &[counted("k", 4, 10, "6", WAVES), counted("groups", 1, 10, "", WAVES)] },
+    Family { name: "cosines", options: &[counted("k", 4, 10, "6", COSINES), counted("m", 1, 8, "1", COSINE_ORDERS)] },
+    Family { name: "nodes", options: &[counted("n", 4, 16, "8", NODES)] },
+    Family {
+        name: "baked",
+        options: &[counted("degree", 2, 16, "8", DEGREES), counted("denominator", 0, 8, "0", DEGREES)],
+    },
+    Family { name: "fitted", options: &[worded("form", ""), counted("k", 1, 12, "", COSINES), worded("rms", "")] },
     Family { name: "fresnel", options: &[worded("form", "exact")] },
-    Family { name: "spectral", options: &[counted("n", 2, 512, "81")] },
+    Family { name: "spectral", options: &[counted("n", 2, 512, "81", WAVELENGTHS)] },
 ];
 
 /// The family that is written by its size instead of options.
@@ -77,6 +112,7 @@ impl FromStr for Variant {
             return Err(VariantError {
                 message: format!("unknown method `{}` in the variant `{}`", shown(name), shown(text)),
                 help: format!("the methods are {}; for example windowed:k=6", known.join(", ")),
+                excess: None,
             });
         };
         let given = options(text, family, rest)?;
@@ -111,7 +147,7 @@ fn options<'a>(text: &str, family: &Family, rest: &'a str) -> Result<Vec<(&'a st
     let help = format!("{} takes {}", family.name, known.join(","));
     let mut given: Vec<(&str, &str)> = Vec::new();
     for part in rest.split(',').filter(|part| !part.is_empty()) {
-        let refuse = |message: String| Err(VariantError { message, help: help.clone() });
+        let refuse = |message: String| Err(VariantError { message, help: help.clone(), excess: None });
         let (name, value) = part.split_once('=').unwrap_or((part, ""));
         if value.is_empty() {
             return refuse(format!("the option `{}` in the variant `{}` has no value", shown(name), shown(text)));
@@ -129,14 +165,21 @@ fn options<'a>(text: &str, family: &Family, rest: &'a str) -> Result<Vec<(&'a st
 
 fn number(text: &str, family: &Family, name: &str, value: &str) -> Result<usize, VariantError> {
     let range = family.options.iter().find(|row| row.name == name).and_then(|row| row.range);
-    let (low, high) = range.unwrap_or((0, 0));
+    let (low, high, samples) = range.unwrap_or((0, 0, ENTRIES));
     match value.parse::<usize>() {
         Ok(number) if (low..=high).contains(&number) => Ok(number),
         _ => Err(VariantError {
             message: format!("`{name}={}` in the variant `{}` is out of range", shown(value), shown(text)),
             help: format!("{name} is a whole number from {low} to {high}"),
+            excess: whole(value).filter(|asked| *asked > high as f64).map(|asked| Excess { asked, samples }),
         }),
     }
+}
+
+/// A whole number that is written in digits, however large.
+fn whole(text: &str) -> Option<f64> {
+    let is_whole = !text.is_empty() && text.bytes().all(|byte| byte.is_ascii_digit());
+    if is_whole { text.parse().ok() } else { None }
 }
 
 fn fit(text: &str, value: &str) -> Result<Fit, VariantError> {
@@ -155,6 +198,7 @@ fn fit(text: &str, value: &str) -> Result<Fit, VariantError> {
         message: format!("unknown fit `{}` in the variant `{}`", shown(value), shown(text)),
         help: "the fits are xyz-gauss, xyz-gauss-K, rgb-gauss-K, shared-gauss-K, with K from 1 to 5, and exact"
             .to_owned(),
+        excess: None,
     })
 }
 
@@ -163,6 +207,7 @@ fn windowed(text: &str, count: usize, groups: Option<usize>) -> Result<Variant, 
         Some(groups) if groups > count => Err(VariantError {
             message: format!("`groups={groups}` in the variant `{}` is more than there are wave numbers", shown(text)),
             help: format!("groups is at most k, here {count}"),
+            excess: None,
         }),
         _ => Ok(Variant::Windowed { count, groups }),
     }
@@ -177,6 +222,7 @@ fn fitted(text: &str, form: &str, count: Option<usize>, rms: &str) -> Result<Var
             return Err(VariantError {
                 message: format!("unknown form `{}` in the variant `{}`", shown(form), shown(text)),
                 help: format!("the forms are {}", FittedForm::ALL.map(FittedForm::name).join(", ")),
+                excess: None,
             });
         }
     };
@@ -185,6 +231,7 @@ fn fitted(text: &str, form: &str, count: Option<usize>, rms: &str) -> Result<Var
         _ => rms.parse().ok().filter(|error: &f64| *error > 0.0 && *error <= 1.0).ok_or_else(|| VariantError {
             message: format!("`rms={}` in the variant `{}` is no error", shown(rms), shown(text)),
             help: format!("rms is a number above 0, such as {FITTED_RMS_ERROR}"),
+            excess: None,
         })?,
     };
     let count = count.unwrap_or(form.map_or(6, FittedForm::default_count));
@@ -198,6 +245,7 @@ fn fresnel(text: &str, form: &str) -> Result<Variant, VariantError> {
         _ => Err(VariantError {
             message: format!("unknown form `{}` in the variant `{}`", shown(form), shown(text)),
             help: "the forms are exact and schlick".to_owned(),
+            excess: None,
         }),
     }
 }
@@ -218,6 +266,11 @@ fn table(text: &str, size: &str) -> Result<Variant, VariantError> {
             TABLE_THICKNESSES.start(),
             TABLE_THICKNESSES.end()
         ),
+        excess: size
+            .split_once('x')
+            .and_then(|(angles, thicknesses)| Some(whole(angles)? * whole(thicknesses)?))
+            .filter(|asked| *asked > TABLE_ENTRIES as f64)
+            .map(|asked| Excess { asked, samples: ENTRIES }),
     })
 }
 

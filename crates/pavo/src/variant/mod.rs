@@ -6,6 +6,8 @@ mod grammar;
 #[cfg(test)]
 mod tests;
 
+#[cfg(feature = "cli")]
+pub(crate) use grammar::Excess;
 pub use grammar::VariantError;
 
 use std::fmt;

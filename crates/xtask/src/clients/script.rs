@@ -34,7 +34,7 @@ pub const CLIENTS: [Client; 7] = [
         name: "materialx",
         pip: &["MaterialX==1.39.5"],
         npm: None,
-        programs: &[PYTHON, ("xvfb-run", "xvfb")],
+        programs: &[PYTHON, ("xvfb-run", "xvfb"), ("glslangValidator", "glslang-tools")],
         before: &["xvfb-run", "-a"],
     },
     Client {

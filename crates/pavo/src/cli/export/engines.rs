@@ -17,6 +17,7 @@ macro_rules! templates {
 const TEMPLATES: &[(&str, &str)] = templates![
     "README.md",
     "check.html",
+    "check-wgsl.html",
     "bevy/module.wgsl",
     "blender/shader.osl",
     "filament/thin_film.mat",
@@ -100,7 +101,7 @@ pub struct EngineFile {
     /// Inputs that the engine has in another way, with the expression for each.
     #[serde(default)]
     pub given: BTreeMap<String, String>,
-    /// The function that the check page calls; empty where there is no page.
+    /// The function that the check page calls, of WebGL for GLSL and of WebGPU for WGSL; empty where there is no page.
     #[serde(default)]
     pub check: String,
 }

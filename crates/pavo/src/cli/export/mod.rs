@@ -15,7 +15,8 @@ use super::sources::{Source, refused};
 use crate::Emission;
 use crate::entries::wrapped;
 use crate::inputs::ShadingQuantity;
-use crate::tuning::{Judge, VariantErrors};
+use crate::scene::{Base, ColourQuantity};
+use crate::tuning::{F0Loss, Judge, VariantErrors};
 use engines::{Engine, EngineFile, engine, template};
 use finishing::{with_highp, written_by};
 use pavo_check::judge_text;
@@ -39,16 +40,18 @@ pub fn run(arguments: &arguments::Export) -> Result<(), Failure> {
     let source = Source::load(scene, arguments.variant.as_deref())?;
     let progress = Progress::start();
     progress.step(format!("measuring the error of {}", source.shading.variant()));
-    let errors = Judge::new(source.shading.scene())?.errors(&source.shading)?;
+    let judge = Judge::new(source.shading.scene())?;
+    let errors = judge.errors(&source.shading)?;
+    let loss = if engine.loses.is_empty() { None } else { judge.f0_loss(&source.shading)? };
     progress.step(format!("emitting and judging for {}", engine.title));
-    let export = Export { engine: &engine, source: &source, errors: &errors };
+    let export = Export { engine: &engine, source: &source, errors: &errors, loss };
     let files = export.files()?;
     drop(progress);
     let folder = arguments
         .output
         .clone()
         .unwrap_or_else(|| PathBuf::from(format!("{}-{}", source.shading.scene().name, engine.name)));
-    std::fs::create_dir_all(&folder).map_err(|error| Failure::file(&folder, "made", &error))?;
+    output::make_folder(&folder)?;
     for (file, bytes) in &files {
         output::write(&folder.join(file), bytes)?;
     }
@@ -57,7 +60,7 @@ pub fn run(arguments: &arguments::Export) -> Result<(), Failure> {
         let folder = folder.display().to_string();
         let report = json!({
             "engine": engine.name, "folder": folder, "files": names, "variant": source.shading.variant().to_string(),
-            "errors": errors, "operations": export.operations(), "notes": export.notes(),
+            "errors": errors, "f0_loss": export.loss, "operations": export.operations(), "notes": export.notes(),
         });
         return output::print(&format!("{report:#}\n"));
     }
@@ -76,6 +79,8 @@ struct Export<'a> {
     engine: &'a Engine,
     source: &'a Source,
     errors: &'a VariantErrors,
+    /// What would be lost of the base in an engine that only has an F0.
+    loss: Option<F0Loss>,
 }
 
 impl Export<'_> {
@@ -86,7 +91,7 @@ impl Export<'_> {
             let text = self.code(file)?;
             if !file.check.is_empty() {
                 let page = page::check(self.source, self.engine, file, &text)?;
-                files.push(("check.html".to_owned(), page.into_bytes()));
+                files.push((page::check_file(file)?.to_owned(), page.into_bytes()));
             }
             files.push((file.file.clone(), text.into_bytes()));
         }
@@ -95,9 +100,7 @@ impl Export<'_> {
             files.push((file.to_owned(), template(name)?.as_bytes().to_vec()));
         }
         files.push(("test-vectors.csv".to_owned(), test_vectors(self.source)));
-        let path = &self.source.path;
-        let scene = std::fs::read(path).map_err(|error| Failure::file(path, "read", &error))?;
-        files.push((self.scene_file(), scene));
+        files.push((self.scene_file(), self.source.text.clone().into_bytes()));
         let mut names: Vec<String> = files.iter().map(|(name, _)| name.clone()).collect();
         names.sort();
         let error = self.error();
@@ -151,10 +154,14 @@ impl Export<'_> {
             Failure::input(
                 format!("{} has no {} for the scene to take at run time", self.engine.title, input.name),
                 format!(
-                    "fix it in the scene with one number; or let the base follow the engine's colour, by \
-                     `workflow = \"metalness\"` in [base] with `base_color = \"input\"` in [surface]; {} has {}",
+                    "fix it in the scene; or let the base follow the engine's colour, by `workflow = \"f0\"` with \
+                     `f0 = \"input\"` in [base]; {} has {}",
                     self.engine.title,
-                    file.parameters.iter().map(|[_, inputs]| inputs.as_str()).collect::<Vec<_>>().join(", ")
+                    file.parameters
+                        .iter()
+                        .map(|[_, inputs]| inputs.replace(' ', " or "))
+                        .collect::<Vec<_>>()
+                        .join(", ")
                 ),
             )
         })
@@ -196,6 +203,31 @@ impl Export<'_> {
         self.source.path.file_name().map_or_else(|| "scene.toml".to_owned(), |name| name.to_string_lossy().into_owned())
     }
 
+    /// What becomes of the base, or would, in an engine that only has an F0.
+    fn note_of_f0(&self) -> Option<String> {
+        let shown = |color: [f64; 3]| format!("[{}]", color.map(|channel| format!("{channel:.3}")).join(", "));
+        if let Some(loss) = &self.loss {
+            return Some(format!(
+                "This scene fixes the base, which loses nothing. Known by its F0 {} alone, the exact colours would be \
+                 dE2000 {:.2} off in the mean over the scene; with the edge tint {}, {:.2}: `workflow = \"f0\"` in [base].",
+                shown(loss.f0),
+                loss.mean_delta_e,
+                shown(loss.edge_tint),
+                loss.mean_delta_e_with_edge_tint,
+            ));
+        }
+        let Base::F0 { edge_tint, .. } = self.source.shading.scene().base else { return None };
+        Some(match edge_tint {
+            Some(ColourQuantity::Fixed(edge_tint)) => format!(
+                "The engine has no edge tint: that of the scene, {}, is a constant of the code. Each channel has one index.",
+                shown(edge_tint)
+            ),
+            _ => "Without an edge tint in the scene the base is a dielectric in each channel: it has the right colour at \
+                  normal incidence, and no phase of a metal."
+                .to_owned(),
+        })
+    }
+
     /// What the engine gives and the scene does not take, and what the engine loses.
     fn notes(&self) -> Vec<String> {
         let inputs = self.inputs();
@@ -219,6 +251,7 @@ impl Export<'_> {
         }
         if !self.engine.loses.is_empty() {
             notes.push(self.engine.loses.clone());
+            notes.extend(self.note_of_f0());
         }
         notes
     }

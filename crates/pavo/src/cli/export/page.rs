@@ -5,8 +5,14 @@ use crate::cli::build::{vector_points, vector_tolerance};
 use crate::cli::failure::Failure;
 use crate::cli::sources::Source;
 use minijinja::{AutoEscape, Environment, UndefinedBehavior, Value, context};
+use pavo_emit::Language;
 use pavo_shade::Type;
 use serde_json::json;
+
+/// The name of the page that checks a file, which is that of its template.
+pub fn check_file(file: &EngineFile) -> Result<&'static str, Failure> {
+    Ok(if file.language()? == Language::Wgsl { "check-wgsl.html" } else { "check.html" })
+}
 
 /// The page that runs a file's function in a browser at the test vectors.
 pub fn check(source: &Source, engine: &Engine, file: &EngineFile, text: &str) -> Result<String, Failure> {
@@ -22,7 +28,8 @@ pub fn check(source: &Source, engine: &Engine, file: &EngineFile, text: &str) ->
         found.map_or(-1, |(_, column)| i64::try_from(*column).unwrap_or(-1))
     };
     let passed = file.parameters.iter().map(|[name, names]| {
-        let is_color = file.signature.contains(&format!("vec3 {name}"));
+        let is_color =
+            [format!("vec3 {name}"), format!("{name}: vec3f")].iter().any(|text| file.signature.contains(text));
         json!({ "uniform": format!("given_{name}"), "type": if is_color { "vec3" } else { "float" },
             "passed": true, "column": column_of(names) })
     });
@@ -34,18 +41,22 @@ pub fn check(source: &Source, engine: &Engine, file: &EngineFile, text: &str) ->
     });
     let parameters: Vec<_> = passed.chain(outer).collect();
     let vectors: Vec<Vec<f64>> = rows.into_iter().map(|(point, color)| [point, color.to_vec()].concat()).collect();
+    let page = check_file(file)?;
+    // Of WGSL what the engine has above the text can stand in one piece with it; GLSL has uniforms between the two.
+    let judged = file.judged(text);
+    let code = if page == "check-wgsl.html" { &judged } else { text };
     let fill = context! {
         scene => source.shading.scene().name.as_str(),
         title => engine.title.as_str(),
         file => file.file.as_str(),
         function => file.check.as_str(),
-        code => literal(&json!(text)),
+        code => literal(&json!(code)),
         before => literal(&json!(file.before)),
         parameters => literal(&json!(parameters)),
         vectors => literal(&json!(vectors)),
         tolerance => vector_tolerance(source),
     };
-    render("check.html", fill)
+    render(page, fill)
 }
 
 /// The text that says where the files go.

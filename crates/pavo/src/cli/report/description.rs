@@ -64,6 +64,14 @@ fn base(scene: &Scene) -> String {
         }
         Base::Metal { name } => format!("{name}, whose index depends on the wavelength"),
         Base::Table { path } => format!("the material of {}", file_name(path)),
+        Base::F0 { f0, edge_tint } => {
+            let of = |color: &ColourQuantity| match color {
+                ColourQuantity::Fixed(color) => format!("{color:?}"),
+                ColourQuantity::Input => "given at run time".to_owned(),
+            };
+            let edge = edge_tint.as_ref().map_or_else(String::new, |color| format!(", edge tint {}", of(color)));
+            format!("by what it reflects at normal incidence under air: F0 {}{edge}", of(f0))
+        }
         Base::Metalness => {
             let metalness = scene.surface.metalness.map_or_else(|| "0".to_owned(), |value| quantity(value, ""));
             format!("by base colour and metalness ({metalness}), as engines have it")

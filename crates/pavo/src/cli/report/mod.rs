@@ -19,8 +19,10 @@ use super::cache::DiskCache;
 use super::failure::Failure;
 use super::output;
 use super::progress::Progress;
+use super::work;
 use crate::scene::Scene;
 use pavo_check::Device;
+use pavo_files::shown;
 use std::path::{Path, PathBuf};
 use survey::{Request, Survey, survey};
 
@@ -32,9 +34,11 @@ pub fn run(arguments: &arguments::Report) -> Result<(), Failure> {
     if let Some(limit) = arguments.max_delta_e.filter(|limit| !(limit.is_finite() && *limit > 0.0)) {
         return Err(Failure::input(format!("a budget of {limit}"), "a budget is a number above 0"));
     }
+    let count = arguments.scenes.len();
+    work::SCENES.check(&format!("a report on {count} files"), count as f64)?;
     let requests = requests(arguments)?;
     let device = if arguments.no_run { None } else { Some(Device::lavapipe()?) };
-    make_folder(&arguments.output)?;
+    output::make_folder(&arguments.output)?;
     let cache = DiskCache::open();
     let progress = Progress::start();
     let mut surveys = Vec::new();
@@ -64,14 +68,13 @@ pub fn run(arguments: &arguments::Report) -> Result<(), Failure> {
 fn requests(arguments: &arguments::Report) -> Result<Vec<Request>, Failure> {
     let mut requests: Vec<Request> = Vec::new();
     for path in &arguments.scenes {
-        let scene = Scene::load(path)?;
+        let (scene, text) = Scene::load_with_text(path)?;
         if let Some(other) = requests.iter().find(|other| other.scene.name == scene.name) {
             return Err(Failure::input(
-                format!("{} and {} are both called {}", other.path.display(), path.display(), scene.name),
+                format!("{} and {} are both called {}", shown(&other.path), shown(path), scene.name),
                 "give each scene of a gallery a name of its own",
             ));
         }
-        let text = std::fs::read_to_string(path).map_err(|error| Failure::file(path, "read", &error))?;
         requests.push(Request { path: path.clone(), text, scene, max_delta_e: arguments.max_delta_e });
     }
     Ok(requests)
@@ -81,15 +84,11 @@ fn folder(output: &Path, scene: &Scene, count: usize) -> PathBuf {
     if count > 1 { output.join(&scene.name) } else { output.to_owned() }
 }
 
-fn make_folder(folder: &Path) -> Result<(), Failure> {
-    std::fs::create_dir_all(folder).map_err(|error| Failure::file(folder, "made", &error))
-}
-
 /// Writes the files of a scene; the page comes last, when all that it speaks of is there.
 fn write(folder: &Path, survey: &Survey<'_>, in_gallery: bool) -> Result<(), Failure> {
     let page = scene_page::page(survey, in_gallery)?;
     let figures = json(std::slice::from_ref(survey))? + "\n";
-    make_folder(folder)?;
+    output::make_folder(folder)?;
     for plot in &survey.plots {
         output::write(&folder.join(plot.file), plot.svg.as_bytes())?;
     }

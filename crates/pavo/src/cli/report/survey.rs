@@ -109,7 +109,7 @@ pub fn survey<'a>(
         }
     };
     let variants = variants(&by_operations, by_compiler.as_ref(), timings.as_ref(), &shown);
-    let source = Source { path: path.clone(), shading: shading.clone() };
+    let source = Source { path: path.clone(), text: text.clone(), shading: shading.clone() };
     let pictures = pictures(&source, device, progress)?;
     progress.step(format!("{}: the worst points", scene.name));
     let worst_points = measured.judge().worst_points(shading, WORST_POINTS)?;

@@ -16,7 +16,7 @@ pub fn write(
     judgement: &Judgement<'_>,
     scene_file: Option<&Path>,
 ) -> Result<(), Failure> {
-    std::fs::create_dir_all(folder).map_err(|error| Failure::file(folder, "made", &error))?;
+    output::make_folder(folder)?;
     let json = serde_json::to_string_pretty(&judgement.rows)
         .map_err(|error| Failure::check(format!("the findings cannot be written: {error}")))?;
     output::write(&folder.join("stability.json"), (json + "\n").as_bytes())?;

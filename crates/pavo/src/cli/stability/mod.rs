@@ -9,6 +9,7 @@ use super::cache::DiskCache;
 use super::failure::Failure;
 use super::output;
 use super::progress::Progress;
+use super::work;
 use crate::scene::Scene;
 use crate::stability::{
     Catalogue, Check, Effort, Exceptions, Judgement, Placed, Stability, StabilityError, built_in, by_variant, examine,
@@ -26,6 +27,9 @@ const LEAST_POINTS: usize = 1000;
 pub fn run(arguments: &arguments::Stability) -> Result<(), Failure> {
     let mut effort = if arguments.quick { Effort::QUICK } else { Effort::FULL };
     if let Some(points) = arguments.points {
+        let asked = format!("`--points {points}`");
+        work::SWEEP_POINTS.check(&asked, points)?;
+        let points = points as usize;
         if points < LEAST_POINTS {
             let message = format!("a sweep of {points} points");
             return Err(Failure::input(message, format!("take {LEAST_POINTS} points or more")));
@@ -53,7 +57,7 @@ pub fn run(arguments: &arguments::Stability) -> Result<(), Failure> {
     // Of one scene, or of one variant, not all is seen that an exception may be for; nor is it by a short sweep.
     let sees_all = arguments.all && arguments.variant.is_none();
     let is_full = effort.sweep_points >= Effort::FULL.sweep_points && effort.all_roads;
-    judgement.stale.retain(|stale| sees_all && (is_full || !stale.exception.is_of_sweep()));
+    judgement.stale.retain(|stale| sees_all && (is_full || !stale.exception.needs_full()));
     if let Some(folder) = &arguments.output {
         files::write(folder, &placed, &stability, &judgement, scene_file.as_deref())?;
     }
@@ -112,16 +116,15 @@ fn of_scene(scene: &Scene, variant: Option<&str>, cache: &DiskCache) -> Result<V
 }
 
 fn of_all(variant: Option<&str>, cache: &DiskCache) -> Result<Vec<Placed>, Failure> {
-    let mut placed = built_in(cache)?;
-    if let Some(text) = variant {
-        let variant: Variant = text.parse()?;
-        placed.retain(|placed| *placed.shading.variant() == variant);
-        if placed.is_empty() {
+    let only = variant.map(str::parse::<Variant>).transpose()?;
+    let placed = built_in(only.as_ref(), cache)?;
+    match only {
+        Some(variant) if placed.is_empty() => {
             let message = format!("{variant} is none of the built-in variants");
-            return Err(Failure::input(message, "see pavo variants; for others name a scene in place of --all"));
+            Err(Failure::input(message, "see pavo variants; for others name a scene in place of --all"))
         }
+        _ => Ok(placed),
     }
-    Ok(placed)
 }
 
 impl From<StabilityError> for Failure {

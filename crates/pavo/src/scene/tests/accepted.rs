@@ -120,6 +120,11 @@ fn each_kind_of_base_is_told_by_its_keys() {
         ("kappa = 1e-3\nior = 1.5", Base::Conductor { ior, kappa: Quantity::Fixed(0.001) }),
         ("ior = 1.5\nkappa = [0, 1]", Base::Conductor { ior, kappa: range(0.0, 1.0) }),
         ("metal = 'Au'", Base::Metal { name: "Au".to_owned() }),
+        ("workflow = 'f0'\nf0 = 'input'", Base::F0 { f0: ColourQuantity::Input, edge_tint: None }),
+        (
+            "workflow = 'f0'\nf0 = [1, 0.5, 0]\nedge_tint = 'input'",
+            Base::F0 { f0: ColourQuantity::Fixed([1.0, 0.5, 0.0]), edge_tint: Some(ColourQuantity::Input) },
+        ),
         ("csv = 'data/nickel.csv'", Base::Table { path: PathBuf::from("folder/data/nickel.csv") }),
         ("csv = '/data/nickel.csv'", Base::Table { path: PathBuf::from("/data/nickel.csv") }),
     ];

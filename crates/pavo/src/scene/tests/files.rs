@@ -34,7 +34,7 @@ fn a_file_that_cannot_be_read_is_named_with_what_to_do() {
     let cases = [
         (folder.path().join("absent.toml"), "there is no scene file", "pavo new NAME"),
         (folder.path().to_owned(), "is a folder", "name a file"),
-        (large, "larger than 1 MiB", "CSV"),
+        (large, "it has 1048577 bytes; the most that are read are 1048576", "CSV"),
     ];
     for (path, message, help) in cases {
         let error = refusal(&path);

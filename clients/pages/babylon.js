@@ -1,4 +1,4 @@
-// Babylon.js on WebGL: a plugin of the material puts the exported function in place of the engine's.
+// Babylon.js on WebGL or WebGPU: a plugin of the material puts the exported function in place of the engine's.
 import { Engine } from '@babylonjs/core/Engines/engine.js';
 import { Scene } from '@babylonjs/core/scene.js';
 import { ArcRotateCamera } from '@babylonjs/core/Cameras/arcRotateCamera.js';
@@ -14,6 +14,7 @@ import { Constants } from '@babylonjs/core/Engines/constants.js';
 
 let exported = '';
 let term = false;
+let vec4 = 'vec4';
 
 class ThinFilm extends MaterialPluginBase {
     constructor(material) {
@@ -34,18 +35,28 @@ class ThinFilm extends MaterialPluginBase {
         };
         if (term) {
             code.CUSTOM_FRAGMENT_BEFORE_FRAGCOLOR =
-                'finalColor = vec4(iridescenceOut.specularEnvironmentR0, NdotVUnclamped);';
+                `finalColor = ${vec4}(iridescenceOut.specularEnvironmentR0, NdotVUnclamped);`;
         }
         return code;
     }
 }
 
-export async function open(code, size) {
+async function engineOn(canvas, webgpu) {
+    if (!webgpu) return new Engine(canvas, true, { preserveDrawingBuffer: true });
+    const { WebGPUEngine } = await import('@babylonjs/core/Engines/webgpuEngine.js');
+    await import('@babylonjs/core/Engines/WebGPU/Extensions/index.js');
+    const engine = new WebGPUEngine(canvas, { antialias: true });
+    await engine.initAsync();
+    return engine;
+}
+
+export async function open(code, size, webgpu) {
     exported = code;
+    vec4 = webgpu ? 'vec4f' : 'vec4';
     const canvas = document.createElement('canvas');
     canvas.width = canvas.height = size;
     document.body.append(canvas);
-    const engine = new Engine(canvas, true, { preserveDrawingBuffer: true });
+    const engine = await engineOn(canvas, webgpu);
     engine.setSize(size, size);
 
     function sphere({ color, film_ior, thickness_nm }) {
@@ -72,7 +83,6 @@ export async function open(code, size) {
 
     return {
         version: Engine.Version,
-        device: engine.getGlInfo().renderer,
         async term(settings) {
             term = true;
             const { scene, camera, mesh } = sphere(settings);

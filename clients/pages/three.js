@@ -6,8 +6,6 @@ export async function open(code, size) {
     const renderer = new THREE.WebGLRenderer({ preserveDrawingBuffer: true });
     renderer.setSize(size, size);
     document.body.append(renderer.domElement);
-    const gl = renderer.getContext();
-    const info = gl.getExtension('WEBGL_debug_renderer_info');
     const target = new THREE.WebGLRenderTarget(size, size, { type: THREE.FloatType });
     const camera = new THREE.PerspectiveCamera(40, 1, 0.1, 10);
     camera.position.z = 3.1;
@@ -37,7 +35,6 @@ export async function open(code, size) {
 
     return {
         version: THREE.REVISION,
-        device: info ? gl.getParameter(info.UNMASKED_RENDERER_WEBGL) : 'unknown',
         async term(settings) {
             renderer.setRenderTarget(target);
             renderer.setClearColor(0x000000, 0);

@@ -1,13 +1,15 @@
-// PlayCanvas on WebGL: the chunk of the material is replaced.
+// PlayCanvas on WebGL or WebGPU: the chunk of the material is replaced.
 import * as pc from 'playcanvas';
 
-export async function open(code, size) {
+export async function open(code, size, webgpu) {
+    const language = webgpu ? pc.SHADERLANGUAGE_WGSL : pc.SHADERLANGUAGE_GLSL;
     const canvas = document.createElement('canvas');
     canvas.width = canvas.height = size;
     document.body.append(canvas);
     const device = await pc.createGraphicsDevice(canvas, {
-        deviceTypes: [pc.DEVICETYPE_WEBGL2], preserveDrawingBuffer: true, antialias: false,
+        deviceTypes: [webgpu ? pc.DEVICETYPE_WEBGPU : pc.DEVICETYPE_WEBGL2], preserveDrawingBuffer: true, antialias: false,
     });
+    if (device.isWebGPU !== webgpu) throw new Error('this browser has no WebGPU');
     const options = new pc.AppOptions();
     options.graphicsDevice = device;
     options.componentSystems = [pc.RenderComponentSystem, pc.CameraComponentSystem, pc.LightComponentSystem];
@@ -51,13 +53,15 @@ export async function open(code, size) {
         made.iridescenceRefractionIndex = film_ior;
         made.iridescenceThicknessMin = thickness_nm;
         made.iridescenceThicknessMax = thickness_nm;
-        const chunks = made.getShaderChunks(pc.SHADERLANGUAGE_GLSL);
+        const chunks = made.getShaderChunks(language);
         chunks.set('iridescenceDiffractionPS', code);
         if (!shown) {
-            const engine = pc.ShaderChunks.get(device, pc.SHADERLANGUAGE_GLSL).get('litForwardBackendPS');
-            const end = engine.lastIndexOf('}');
-            chunks.set('litForwardBackendPS', engine.slice(0, end)
-                + 'gl_FragColor = vec4(iridescenceFresnel, saturate(dot(dViewDirW, litArgs_worldNormal)));\n}\n');
+            const engine = pc.ShaderChunks.get(device, language).get('litForwardBackendPS');
+            const [target, vec4, last] = webgpu ? ['output.color', 'vec4f', 'return output;'] : ['gl_FragColor', 'vec4', '}'];
+            const end = engine.lastIndexOf(last);
+            chunks.set('litForwardBackendPS', `${engine.slice(0, end)}
+                ${target} = ${vec4}(iridescenceFresnel, saturate(dot(dViewDirW, litArgs_worldNormal)));
+                ${engine.slice(end)}`);
         }
         made.shaderChunksVersion = '2.23';
         made.update();
@@ -71,7 +75,6 @@ export async function open(code, size) {
 
     return {
         version: pc.version,
-        device: device.unmaskedRenderer,
         async term(settings) {
             sphere.render.material = material(settings, false);
             camera.camera.renderTarget = target;
