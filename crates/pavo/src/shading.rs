@@ -9,8 +9,8 @@ use crate::scene::{self, Base, ColourQuantity, FilmMedium, Quantity, Scene, Visi
 use crate::variant::{FresnelForm, Variant};
 use pavo_optics::surface::{brdf_of_reflectance, shade_surface, surface_brdf, surface_radiance, surface_reflectance};
 use pavo_optics::{
-    BaseKind, Directions, Film, Finish, Geometry, Layers, Light, Method, Precision, Specular, Surface,
-    SpectralNode, light::punctual_light,
+    BaseKind, Directions, Film, Finish, Geometry, Layers, Light, Method, Precision, SpectralNode, Specular, Surface,
+    light::punctual_light,
 };
 use pavo_shade::{
     Dual, Graph, Input, LeftOut, Program, Rate, Scalar, Split, Stages, Vector, specialise, split, stages,

@@ -11,11 +11,7 @@ use rayon::prelude::*;
 impl Examination<'_> {
     /// Holds the reflectance at three wavelengths within [0, 1], in the cases that ask for it of the colour, and over the
     /// sweep.
-    pub(super) fn single_wavelengths(
-        &self,
-        shading: &Shading,
-        examined: &mut Examined,
-    ) -> Result<(), StabilityError> {
+    pub(super) fn single_wavelengths(&self, shading: &Shading, examined: &mut Examined) -> Result<(), StabilityError> {
         let Some(single) = shading.at_single_wavelengths() else { return Ok(()) };
         let part = &self.reflectance;
         let prepared = Prepared::new(Road::Wgsl, &single, part.quantity)?;
@@ -34,8 +30,7 @@ impl Examination<'_> {
             }));
             let worst = largest.index.map_or(Vec::new(), |index| points[index].clone());
             let count = cases.case.points;
-            let finding =
-                self.finding(shading, &cases.case.name, Check::Wavelength, evaluator, count, largest.value);
+            let finding = self.finding(shading, &cases.case.name, Check::Wavelength, evaluator, count, largest.value);
             examined.findings.push(Finding { worst, ..finding });
         }
         let width = part.width.max(1);
@@ -53,8 +48,7 @@ impl Examination<'_> {
                 })
                 .reduce(Largest::default, Largest::or);
             let worst = largest.index.map_or(Vec::new(), |index| sweep[index * width..(index + 1) * width].to_vec());
-            let finding =
-                self.finding(shading, SWEEP, Check::Wavelength, Road::Wgsl.name(), count, largest.value);
+            let finding = self.finding(shading, SWEEP, Check::Wavelength, Road::Wgsl.name(), count, largest.value);
             examined.findings.push(Finding { worst, ..finding });
         }
         Ok(())
