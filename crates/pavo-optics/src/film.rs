@@ -9,7 +9,10 @@ use crate::relative::relative_film;
 use crate::series::{GaussianFit, series_reflectance};
 use crate::spectral::{SpectralNode, dispersive_reflectance, spectral_reflectance};
 use crate::tabulated::{TransformTable, tabulated_reflectance};
-use crate::wave::{NormalComponent, normal_component_absorbing, normal_component_squared, p_component_absorbing};
+use crate::wave::{
+    NormalComponent, normal_component_absorbing, normal_component_squared, normal_component_squared_above_zero,
+    p_component_absorbing,
+};
 use crate::windowed::{Window, windowed_reflectance};
 use core::f64::consts::TAU;
 use pavo_shade::{Lanes, Real, Scalar, Value, Vector, shade};
@@ -128,14 +131,13 @@ pub struct BaseWave<R: Real> {
 
 /// The wave in the film. Its normal component is kept away from 0, where the phase vanishes with it.
 pub fn film_wave<R: Real>(total_reflection: bool, cos_theta1: R, ambient_ior: R, film_ior: R) -> FilmWave<R> {
-    // Less than the square of the smallest cosine that series take: for these nothing needs to be kept away.
-    let smallest = R::lit(0.5 * GRAZING * GRAZING);
-    let square = normal_component_squared(cos_theta1, ambient_ior, film_ior);
     let (q2_squared, modulus) = if total_reflection {
+        let smallest = R::lit(1e-12);
+        let square = normal_component_squared(cos_theta1, ambient_ior, film_ior);
         let q2_squared = R::select(square.abs().less_than(smallest), smallest, square).named("q2_squared");
         (q2_squared, q2_squared.abs())
     } else {
-        let q2_squared = square.max(smallest).named("q2_squared");
+        let q2_squared = normal_component_squared_above_zero(cos_theta1, ambient_ior, film_ior).named("q2_squared");
         (q2_squared, q2_squared)
     };
     // The root itself is exact to the last bit, as the phase needs it.
@@ -245,9 +247,6 @@ pub fn film_reflectance<S: Scalar, R: Lanes<S> + Value<Leaf = S::Leaf>>(
     /// Extinction coefficient of the base, >= 0.
     base_kappa: R,
 ) -> S::Vec3 {
-    // At 0 nothing enters: what divides by that is lost.
-    let divides = !matches!(film.method, Method::Spectral { .. });
-    let cos_theta1 = if divides { cos_theta1.max(S::lit(GRAZING)).named("cosine") } else { cos_theta1 };
     let media = Media { cos_theta1, ambient_ior, film_ior };
     let wave = media.wave(film.total_reflection);
     let path_nm = thickness_nm * wave.q2;
@@ -293,9 +292,6 @@ pub fn film_reflectance<S: Scalar, R: Lanes<S> + Value<Leaf = S::Leaf>>(
     let is_total_reflection = wave.q2_squared.less_than(S::lit(FRUSTRATED_BELOW));
     S::Vec3::choose(is_total_reflection, frustrated_reflectance::<S, R>(film, terms, wave, path_nm), series)
 }
-
-/// The smallest cosine of the angle of incidence for methods that sum the orders of interference.
-const GRAZING: f64 = 1e-6;
 
 /// The square of the normal wave vector component in the film below which the exact reflectance at one wavelength a
 /// channel takes over. Just above 0 the waves outside dwarf that in the film: sums over orders lose their digits, and the

@@ -7,7 +7,7 @@
 //! approaches 1.
 
 use crate::film::{BaseKind, FilmWave, Media};
-use crate::wave::{normal_component_absorbing, normal_component_squared};
+use crate::wave::{normal_component_absorbing, normal_component_squared, normal_component_squared_above_zero};
 use pavo_shade::{Lanes, Real, Scalar, Value, shade};
 
 /// Wave vectors of one polarisation outside the film, their normal components over that in the film; for p polarisation
@@ -47,15 +47,21 @@ pub fn relative_film<S: Scalar, R: Lanes<S> + Value<Leaf = S::Leaf>>(
     let film_squared = (media.film_ior * media.film_ior).named("film_permittivity");
     let q2_inverse = film.q2_inverse;
     let ambient_scale = (film_squared * (one / ambient_squared)).named("ambient_scale");
-    let ambient = (media.q1() * q2_inverse).named("ambient");
+    let ambient = media.q1() * q2_inverse;
+    // At 0 nothing enters. Where nothing may enter the base either, what divides by both is lost.
+    let ambient = if kind.is_real() { ambient } else { ambient.max(S::lit(1e-6)) }.named("ambient");
     let ambient_p = lanes((ambient * ambient_scale).named("ambient_p"));
     let (ambient, q2_inverse) = (lanes(ambient), lanes(q2_inverse));
     let (cos_theta1, ambient_ior) = (lanes(media.cos_theta1), lanes(media.ambient_ior));
     match kind {
         BaseKind::Dielectric { total_reflection } => {
-            let square = normal_component_squared(cos_theta1, ambient_ior, base_ior).named("q3_squared");
+            let square = if total_reflection {
+                normal_component_squared(cos_theta1, ambient_ior, base_ior)
+            } else {
+                normal_component_squared_above_zero(cos_theta1, ambient_ior, base_ior)
+            }
+            .named("q3_squared");
             let zero = R::lit(0.0);
-            // Without total reflection the square is a sum of two that are not negative.
             let q3 = if total_reflection { square.max(zero) } else { square }.sqrt().named("q3");
             let q3_decay = if total_reflection { (-square).max(zero).sqrt().named("q3_decay") } else { zero };
             let base_scale = (lanes(film_squared) / (base_ior * base_ior)).named("base_scale");

@@ -23,6 +23,17 @@ pub fn normal_component_squared<R: Real>(cos_theta1: R, ambient_ior: R, ior: R) 
     (ior - ambient_ior) * (ior + ambient_ior) + ambient_normal * ambient_normal
 }
 
+/// The same in a medium that is not below the ambient one, and a little above 0: as if the square of the cosine were larger
+/// by [`GRAZING_SQUARED`]. What it costs is no operation, as a product and a sum are one.
+pub fn normal_component_squared_above_zero<R: Real>(cos_theta1: R, ambient_ior: R, ior: R) -> R {
+    let ambient_normal = ambient_ior * cos_theta1;
+    let above_zero = ambient_normal * ambient_normal + R::lit(GRAZING_SQUARED);
+    (ior - ambient_ior) * (ior + ambient_ior) + above_zero
+}
+
+/// The square of the normal component at which a wave that grazes its medium is held.
+pub const GRAZING_SQUARED: f64 = 1e-14;
+
 /// Normal wave vector component in an absorbing medium: the root of `(n + i kappa)^2 - ambient_ior^2 sin^2(theta1)`
 /// with both parts at least 0, without cancellation.
 ///

@@ -9,7 +9,7 @@ use crate::scene::{self, Base, ColourQuantity, FilmMedium, Quantity, Scene, Visi
 use crate::variant::{FresnelForm, Variant};
 use pavo_optics::surface::{brdf_of_reflectance, shade_surface, surface_brdf, surface_radiance, surface_reflectance};
 use pavo_optics::{
-    BaseKind, Directions, Film, Finish, Geometry, Layers, Light, Method, Precision, SpectralNode, Specular, Surface,
+    BaseKind, Directions, Film, Finish, Geometry, Layers, Light, Method, Precision, Specular, Surface,
     light::punctual_light,
 };
 use pavo_shade::{
@@ -174,7 +174,7 @@ impl Shading {
         let of_channel = |channel: usize| {
             let mut weight = [0.0; 3];
             weight[channel] = 1.0;
-            SpectralNode { weight, ..nodes[[0, last / 2, last][channel]] }
+            pavo_optics::SpectralNode { weight, ..nodes[[0, last / 2, last][channel]] }
         };
         *nodes = (0..3).map(of_channel).collect();
         Some(shading)
