@@ -67,11 +67,9 @@ fn half_precision_adds_no_more_than_its_bounds() {
 #[test]
 fn nodes_and_long_sums_do_not_stand_half_precision() {
     let sums = Precision { sums: true, nodes: false };
-    for (variant, film, parts) in [
-        ("windowed:k=6", FILMS[1], Precision { sums: true, nodes: true }),
-        ("windowed:k=6", FILMS[2], Precision { sums: true, nodes: true }),
-        ("spectral:n=81", FILMS[4], sums),
-    ] {
+    for (variant, film, parts) in
+        [("windowed:k=6", FILMS[2], Precision { sums: true, nodes: true }), ("spectral:n=81", FILMS[4], sums)]
+    {
         let [rms, _] = added(film, variant, Some(parts));
         assert!(rms > 1e-3, "{variant}, {film:?}: {rms:e}");
     }

@@ -131,18 +131,23 @@ pub struct BaseWave<R: Real> {
 
 /// The wave in the film. Its normal component is kept away from 0, where the phase vanishes with it.
 pub fn film_wave<R: Real>(total_reflection: bool, cos_theta1: R, ambient_ior: R, film_ior: R) -> FilmWave<R> {
-    let (q2_squared, modulus) = if total_reflection {
-        let smallest = R::lit(1e-12);
-        let square = normal_component_squared(cos_theta1, ambient_ior, film_ior);
+    let smallest = R::lit(1e-12);
+    let square = normal_component_squared(cos_theta1, ambient_ior, film_ior);
+    if total_reflection {
         let q2_squared = R::select(square.abs().less_than(smallest), smallest, square).named("q2_squared");
-        (q2_squared, q2_squared.abs())
+        FilmWave::new(q2_squared, q2_squared.abs())
     } else {
-        let q2_squared = normal_component_squared_above_zero(cos_theta1, ambient_ior, film_ior).named("q2_squared");
-        (q2_squared, q2_squared)
-    };
-    // The root itself is exact to the last bit, as the phase needs it.
-    let q2 = modulus.sqrt().named("q2");
-    FilmWave { q2_squared, q2, q2_inverse: (R::lit(1.0) / q2).named("q2_inverse") }
+        let q2_squared = square.max(smallest).named("q2_squared");
+        FilmWave::new(q2_squared, q2_squared)
+    }
+}
+
+impl<R: Real> FilmWave<R> {
+    fn new(q2_squared: R, modulus: R) -> Self {
+        // The root itself is exact to the last bit, as the phase needs it.
+        let q2 = modulus.sqrt().named("q2");
+        FilmWave { q2_squared, q2, q2_inverse: (R::lit(1.0) / q2).named("q2_inverse") }
+    }
 }
 
 /// Normal wave vector components in the base.
@@ -220,6 +225,17 @@ impl<S: Scalar> Media<S> {
         film_wave(total_reflection, self.cos_theta1, self.ambient_ior, self.film_ior)
     }
 
+    /// The wave in the film, for sums over the orders of interference: without total reflection it takes no guard to keep
+    /// the normal component away from 0.
+    pub fn wave_of_orders(self, total_reflection: bool) -> FilmWave<S> {
+        let Self { cos_theta1, ambient_ior, film_ior } = self;
+        if total_reflection {
+            return self.wave(true);
+        }
+        let q2_squared = normal_component_squared_above_zero(cos_theta1, ambient_ior, film_ior).named("q2_squared");
+        FilmWave::new(q2_squared, q2_squared)
+    }
+
     /// The wave in a base.
     pub fn base_wave<R: Lanes<S>>(self, base: BaseKind, base_ior: R, base_kappa: R) -> BaseWave<R> {
         base_wave(base, R::from_scalar(self.cos_theta1), R::from_scalar(self.ambient_ior), base_ior, base_kappa)
@@ -248,7 +264,10 @@ pub fn film_reflectance<S: Scalar, R: Lanes<S> + Value<Leaf = S::Leaf>>(
     base_kappa: R,
 ) -> S::Vec3 {
     let media = Media { cos_theta1, ambient_ior, film_ior };
-    let wave = media.wave(film.total_reflection);
+    let wave = match &film.method {
+        Method::Spectral { .. } => media.wave(film.total_reflection),
+        _ => media.wave_of_orders(film.total_reflection),
+    };
     let path_nm = thickness_nm * wave.q2;
     let opd_nm = 2.0 * path_nm;
     if let Method::Spectral { nodes } = &film.method

@@ -51,7 +51,7 @@ pub fn windowed_group<S: Scalar, R: Lanes<S> + Value<Leaf = S::Leaf>>(
     base_kappa: R,
 ) -> WindowedFilm<R> {
     let media = Media { cos_theta1, ambient_ior, film_ior };
-    let wave = media.wave(total_reflection);
+    let wave = media.wave_of_orders(total_reflection);
     let film = relative_film(base, media, wave, base_ior, base_kappa);
     WindowedFilm::under([window, window_squared], base, film)
 }
@@ -79,7 +79,7 @@ pub fn grouped_reflectance<S: Scalar, R: Lanes<S> + Value<Leaf = S::Leaf>>(
         let (phases, [g, g_squared]) = match group.film {
             None => (shared, closing_of_all),
             Some(_) => {
-                let wave = Media { film_ior, ..media }.wave(film.total_reflection);
+                let wave = Media { film_ior, ..media }.wave_of_orders(film.total_reflection);
                 let path_nm = (thickness_nm * wave.q2).named("path_nm");
                 (phases(&part, film.base, path_nm), closing(window.width_nm, path_nm))
             }

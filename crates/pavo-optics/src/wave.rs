@@ -32,7 +32,7 @@ pub fn normal_component_squared_above_zero<R: Real>(cos_theta1: R, ambient_ior: 
 }
 
 /// The square of the normal component at which a wave that grazes its medium is held.
-pub const GRAZING_SQUARED: f64 = 1e-14;
+pub const GRAZING_SQUARED: f64 = 1e-18;
 
 /// Normal wave vector component in an absorbing medium: the root of `(n + i kappa)^2 - ambient_ior^2 sin^2(theta1)`
 /// with both parts at least 0, without cancellation.

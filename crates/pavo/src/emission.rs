@@ -3,8 +3,10 @@
 use crate::inputs::ShadingQuantity;
 use crate::scene::Scene;
 use crate::shading::Shading;
-use pavo_emit::{Form, Language, Options};
+use pavo_emit::{Dialect, Form, Language, Options};
+use pavo_optics::Precision;
 use pavo_shade::{Input, Program};
+use std::borrow::Cow;
 
 /// How a text is made.
 #[derive(Clone, Copy, Debug)]
@@ -28,22 +30,33 @@ impl From<Language> for Emission<'_> {
 /// `prepare_surface`, whose result the others take, and what depends on the vertices by `vertex_surface`, whose result is
 /// to be interpolated.
 pub fn library<'a>(shading: &Shading, emission: impl Into<Emission<'a>>) -> String {
-    let program = library_program(shading);
-    pavo_emit::emit_library(&program, &options(shading, emission.into(), Form::Library, program.inputs()))
+    let emission = emission.into();
+    let program = library_program(&in_language(shading, emission.language));
+    pavo_emit::emit_library(&program, &options(shading, emission, Form::Library, program.inputs()))
 }
 
 /// The struct of what is uniform over a material, as [`library`] takes it: for a uniform buffer, in Rust with the same
 /// layout. Nothing where all that the scene leaves open is given at vertices or pixels.
 pub fn uniforms<'a>(shading: &Shading, emission: impl Into<Emission<'a>>) -> Option<String> {
-    let program = library_program(shading);
-    pavo_emit::emit_uniforms(&program, &options(shading, emission.into(), Form::Library, program.inputs()))
+    let emission = emission.into();
+    let program = library_program(&in_language(shading, emission.language));
+    pavo_emit::emit_uniforms(&program, &options(shading, emission, Form::Library, program.inputs()))
 }
 
 /// A method of the Rust struct `PreparedSurface` that gives its bytes in a uniform buffer, where [`library`] has it.
 pub fn prepared_bytes(shading: &Shading) -> Option<String> {
-    let program = library_program(shading);
+    let program = library_program(&in_language(shading, Language::Rust));
     let options = options(shading, Language::Rust.into(), Form::Library, program.inputs());
     pavo_emit::emit_prepared_bytes(&program, &options)
+}
+
+/// The surface as a language can express it: all in 32 bits where it has no half precision.
+pub(crate) fn in_language(shading: &Shading, language: Language) -> Cow<'_, Shading> {
+    if shading.precision() == Precision::FULL || Dialect::of(language).half.is_some() {
+        Cow::Borrowed(shading)
+    } else {
+        Cow::Owned(shading.with_precision(Precision::FULL))
+    }
 }
 
 fn library_program(shading: &Shading) -> Program {

@@ -1,6 +1,6 @@
 //! Shader text of a surface with something around the functions.
 
-use crate::emission::{Emission, options};
+use crate::emission::{Emission, in_language, options};
 use crate::inputs::ShadingQuantity;
 use crate::shading::Shading;
 use pavo_emit::{EmitError, Form, Sphere, SphereInput};
@@ -15,8 +15,9 @@ pub fn compute<'a>(
     quantity: ShadingQuantity,
     emission: impl Into<Emission<'a>>,
 ) -> Result<String, EmitError> {
-    let program = shading.program(quantity);
-    pavo_emit::emit_compute(&program, &options(shading, emission.into(), Form::Compute, program.inputs()))
+    let emission = emission.into();
+    let program = in_language(shading, emission.language).program(quantity);
+    pavo_emit::emit_compute(&program, &options(shading, emission, Form::Compute, program.inputs()))
 }
 
 /// The functions of a surface with a fragment entry that shades a sphere.
@@ -24,8 +25,9 @@ pub fn compute<'a>(
 /// # Errors
 /// If the template of the entry is broken.
 pub fn fragment<'a>(shading: &Shading, emission: impl Into<Emission<'a>>) -> Result<String, EmitError> {
-    let program = shading.sphere_program();
-    let options = options(shading, emission.into(), Form::Fragment, program.inputs());
+    let emission = emission.into();
+    let program = in_language(shading, emission.language).sphere_program();
+    let options = options(shading, emission, Form::Fragment, program.inputs());
     pavo_emit::emit_fragment(&program, &options, &over_sphere(program.inputs()))
 }
 
@@ -64,8 +66,9 @@ pub fn points_fragment<'a>(
     quantity: ShadingQuantity,
     emission: impl Into<Emission<'a>>,
 ) -> Result<String, EmitError> {
-    let program = shading.program(quantity);
-    pavo_emit::emit_points(&program, &options(shading, emission.into(), Form::Fragment, program.inputs()))
+    let emission = emission.into();
+    let program = in_language(shading, emission.language).program(quantity);
+    pavo_emit::emit_points(&program, &options(shading, emission, Form::Fragment, program.inputs()))
 }
 
 /// The reflectance behind a signature of somebody else's. `facts` are further lines of the comment at its top.
@@ -79,8 +82,9 @@ pub fn wrapped<'a>(
     facts: &[String],
     wrapper: &pavo_emit::Wrapper<'_>,
 ) -> Result<String, EmitError> {
-    let program = shading.program(ShadingQuantity::Reflectance);
-    let mut options = options(shading, emission.into(), Form::Library, program.inputs());
+    let emission = emission.into();
+    let program = in_language(shading, emission.language).program(ShadingQuantity::Reflectance);
+    let mut options = options(shading, emission, Form::Library, program.inputs());
     options.prefix.insert_str(0, prefix);
     options.header.extend_from_slice(facts);
     pavo_emit::emit_wrapped(&program, &options, wrapper)

@@ -8,7 +8,7 @@ use super::output;
 use super::precision::PrecisionSection;
 use super::progress::Progress;
 use super::sources::{Emitted, Source};
-use crate::emission::library_quantity;
+use crate::emission::{in_language, library_quantity};
 use crate::inputs::ShadingQuantity;
 use crate::numerics::{FunctionNeeds, Numerics};
 use crate::points::spread;
@@ -17,9 +17,9 @@ use crate::roads::{self, Road};
 use crate::shading::Shading;
 use crate::statistics::Difference;
 use pavo_check::Device;
-use pavo_emit::Dialect;
 use pavo_optics::Precision;
 use pavo_shade::Input;
+use std::borrow::Cow;
 use std::path::{Path, PathBuf};
 
 /// How many points are run on the device.
@@ -94,14 +94,13 @@ fn run_on_lavapipe(source: &Source, progress: &Progress) -> Result<Runs, Failure
             .map(|point| point.into_iter().map(|value| value as f32).collect())
             .collect();
         let expected = on_cpu(shading, quantity, &points);
-        // A language without half precision computes all in 32 bits.
-        let in_full = (shading.precision() != Precision::FULL)
-            .then(|| on_cpu(&shading.with_precision(Precision::FULL), quantity, &points));
         for road in Road::ALL {
             progress.step(format!("running the {} on lavapipe: {}", quantity.name(), road.name()));
             let found = roads::evaluate(&device, road, &source.shading, quantity, &points)?;
-            let has_half = Dialect::of(road.language()).half.is_some();
-            let (in_f32, in_f64) = in_full.as_ref().filter(|_| !has_half).unwrap_or(&expected);
+            let (in_f32, in_f64) = match in_language(shading, road.language()) {
+                Cow::Borrowed(_) => &expected,
+                Cow::Owned(expressed) => &on_cpu(&expressed, quantity, &points),
+            };
             rows.push(RunRow::new(quantity, road, &inputs, &points, &found, (in_f32, in_f64)));
         }
     }
